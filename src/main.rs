@@ -1,0 +1,3 @@
+//! The `isogeo` command.
+
+fn main() {}

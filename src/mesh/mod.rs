@@ -1,0 +1,68 @@
+//! Floor 2: meshes — combinatorics without coordinates, data on elements, files.
+
+mod dual;
+mod topology;
+
+use std::collections::BTreeMap;
+
+use crate::space::Point;
+
+pub use dual::DualTopology;
+pub use topology::{FaceId, FaceList, HalfEdge, Topology, TopologyError, VertexId, VertexKind};
+
+/// A mesh: combinatorics, a point for every vertex, and named values on its elements.
+///
+/// `T` is any scalar, or [`Numeral`](crate::scalar::Numeral) for a mesh as a file gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh<T> {
+    /// Who meets whom.
+    pub topology: Topology,
+    /// The points of the vertices, in the order of the vertices.
+    pub points: Vec<Point<T>>,
+    /// Named values on vertices and faces.
+    pub data: Data<T>,
+}
+
+/// Named values on the elements of a mesh, in the order of the elements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Data<T> {
+    /// One value for every vertex.
+    pub vertex: BTreeMap<String, Vec<T>>,
+    /// One value for every face.
+    pub face: BTreeMap<String, Vec<T>>,
+}
+
+impl<T> Default for Data<T> {
+    fn default() -> Self {
+        Data { vertex: BTreeMap::new(), face: BTreeMap::new() }
+    }
+}
+
+impl<T> Data<T> {
+    fn map<S>(&self, f: impl Fn(&T) -> S) -> Data<S> {
+        let convert = |arrays: &BTreeMap<String, Vec<T>>| {
+            arrays.iter().map(|(k, v)| (k.clone(), v.iter().map(&f).collect())).collect()
+        };
+        Data { vertex: convert(&self.vertex), face: convert(&self.face) }
+    }
+}
+
+impl<T> Mesh<T> {
+    /// A mesh without data.
+    ///
+    /// # Errors
+    /// Where the faces do not form an oriented mesh: see [`TopologyError`].
+    pub fn new(points: Vec<Point<T>>, faces: FaceList) -> Result<Self, TopologyError> {
+        let topology = Topology::new(points.len(), faces)?;
+        Ok(Mesh { topology, points, data: Data::default() })
+    }
+
+    /// The same mesh with `f` applied to every number: the step from one scalar to another.
+    pub fn map<S>(&self, f: impl Fn(&T) -> S) -> Mesh<S> {
+        Mesh {
+            topology: self.topology.clone(),
+            points: self.points.iter().map(|p| p.map(&f)).collect(),
+            data: self.data.map(&f),
+        }
+    }
+}

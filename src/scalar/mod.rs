@@ -1,0 +1,35 @@
+//! Floor 0: numbers. Everything above is written once, generic over these.
+//!
+//! | type | is | order | exact |
+//! | --- | --- | --- | --- |
+//! | [`Rational`] | ℚ, the program's own (malachite) | yes | yes |
+//! | [`BigRational`] | ℚ again (num-rational): the oracle of the first | yes | yes |
+//! | [`BigInt`] | ℤ: fractions cleared | yes | yes |
+//! | [`Residue`] | ℤ/2^(64 W): zero tests under a bound | no | yes |
+//! | `f64` | doubles | yes | no |
+//! | [`Ball`] | rigorous enclosures, over `f64` or `BigInt` | where disjoint | no |
+//! | [`Magnitude`] | sizes without cancellation | – | no |
+//!
+//! [`Numeral`] is not a scalar: it is a number as a file prints it.
+
+mod ball;
+mod float;
+mod integer;
+mod magnitude;
+#[cfg(feature = "malachite")]
+mod malachite;
+mod numeral;
+mod order;
+mod rational;
+mod residue;
+mod ring;
+
+pub use ball::{Ball, Midpoint};
+pub use magnitude::Magnitude;
+pub use num_bigint::BigInt;
+pub use num_rational::BigRational;
+pub use numeral::{Base, Numeral, NumeralError, ReadAs};
+pub use order::{Approx, Ordered, Sign};
+pub use rational::{Rational, RationalField};
+pub use residue::Residue;
+pub use ring::{DivRef, Field, Ring, RingRef, Same, det3};

@@ -1,0 +1,5 @@
+//! The one test binary: laws, values, files, reports, and the rules of the house.
+
+mod files;
+mod scalars;
+mod space;
