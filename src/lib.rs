@@ -1,5 +1,6 @@
 //! Discrete surfaces in isotropic geometry, checked exactly.
 
+pub mod check;
 pub mod mesh;
 pub mod scalar;
 pub mod space;

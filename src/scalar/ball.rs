@@ -19,7 +19,7 @@ use super::{Ordered, Ring, Sign};
 /// assert_eq!((&y - &x).certain_sign(), Some(Sign::Positive)); // 1 ± 0.75
 /// assert_eq!((&y - &x - Ball::new(1.0, 0.0)).certain_sign(), None);
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball<T> {
     /// The midpoint.
     pub mid: T,

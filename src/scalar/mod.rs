@@ -8,6 +8,7 @@
 //! | [`Residue`] | ℤ/2^(64 W): zero tests under a bound | no | yes |
 //! | `f64` | doubles | yes | no |
 //! | [`Ball`] | rigorous enclosures, over `f64` or `BigInt` | where disjoint | no |
+//! | [`Variation`] | a value and its change within a box | no | no |
 //! | [`Magnitude`] | sizes without cancellation | – | no |
 //!
 //! [`Numeral`] is not a scalar: it is a number as a file prints it.
@@ -23,6 +24,7 @@ mod order;
 mod rational;
 mod residue;
 mod ring;
+mod variation;
 
 pub use ball::{Ball, Midpoint};
 pub use magnitude::Magnitude;
@@ -33,3 +35,4 @@ pub use order::{Approx, Ordered, Sign};
 pub use rational::{Rational, RationalField};
 pub use residue::Residue;
 pub use ring::{DivRef, Field, Ring, RingRef, Same, det3};
+pub use variation::Variation;

@@ -52,6 +52,12 @@ pub enum ReadAs {
     Double,
 }
 
+/// The powers of ten that doubles hold exactly.
+const EXACT_POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+];
+
 impl ReadAs {
     /// The name on the command line and in reports.
     pub fn name(self) -> &'static str {
@@ -182,10 +188,6 @@ impl Numeral {
 
     /// The nearest double (ties to even); infinite beyond the range of doubles.
     pub fn nearest_f64(&self) -> f64 {
-        const EXACT_POWERS: [f64; 23] = [
-            1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-            1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
-        ];
         match (&self.mantissa, self.base) {
             (Mantissa::Small(m), Base::Two) if m.unsigned_abs() <= 1 << 53 => {
                 scale_by_power_of_two(*m as f64, self.exponent.into())

@@ -2,8 +2,8 @@
 
 use num_bigint::BigInt;
 
-use super::Ring;
 use super::ring::ring_operators;
+use super::{Ring, Sign};
 
 /// An integer modulo `2^(64 W)`, lowest word first.
 ///
@@ -14,6 +14,27 @@ use super::ring::ring_operators;
 pub struct Residue<const W: usize>(pub [u64; W]);
 
 impl<const W: usize> Residue<W> {
+    /// The sign of the integer of least size with this residue.
+    #[inline]
+    pub fn centred_sign(&self) -> Sign {
+        if (self.0[W - 1] as i64) < 0 {
+            Sign::Negative
+        } else if self.0 == [0; W] {
+            Sign::Zero
+        } else {
+            Sign::Positive
+        }
+    }
+
+    /// The integer of least size with this residue, rounded to a double within two units in the
+    /// last place.
+    pub fn centred_f64(&self) -> f64 {
+        let negative = self.centred_sign() == Sign::Negative;
+        let size = if negative { negate(self) } else { *self };
+        let value = size.0.iter().rev().fold(0.0, |v, &word| v * 2f64.powi(64) + word as f64);
+        if negative { -value } else { value }
+    }
+
     /// The residue of an `i128`.
     #[inline]
     pub fn from_i128(n: i128) -> Self {

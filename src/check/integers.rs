@@ -1,0 +1,135 @@
+//! The fast way to decide: fractions cleared, polynomials evaluated in integers of fixed width.
+//!
+//! One mechanism serves all residuals. A floating-point evaluation with a rigorous error bound
+//! comes first: if it excludes zero, the sign is known. Otherwise it has shown that the value is
+//! *small*, smaller than its terms by some 45 bits; and a small integer is determined by its
+//! lowest bits. So the polynomial is evaluated once more modulo 2^128, 2^192, ..., as few words as
+//! the bound asks for, and the residue *is* the value.
+
+use num_bigint::BigInt;
+
+use super::residual::Residual;
+use crate::scalar::{Approx, Ball, Ordered, Residue, Ring, Sign};
+use crate::space::Point;
+
+/// Integers that cleared coordinates are kept in.
+pub(super) trait Integer: Clone {
+    fn ball(&self) -> Ball<f64>;
+    fn residue<const W: usize>(&self) -> Residue<W>;
+    fn big(&self) -> BigInt;
+    fn minus(&self, other: &Self) -> Self;
+}
+
+impl Integer for i128 {
+    #[inline]
+    fn ball(&self) -> Ball<f64> {
+        let mid = *self as f64;
+        // Integers of up to 53 bits are exact in f64.
+        let radius = if mid.abs() < (1u64 << 53) as f64 { 0.0 } else { mid.abs() * f64::EPSILON };
+        Ball { mid, radius }
+    }
+
+    #[inline]
+    fn residue<const W: usize>(&self) -> Residue<W> {
+        Residue::from_i128(*self)
+    }
+
+    fn big(&self) -> BigInt {
+        BigInt::from(*self)
+    }
+
+    /// Coordinates have at most 126 bits, so nothing overflows.
+    #[inline]
+    fn minus(&self, other: &i128) -> i128 {
+        self.wrapping_sub(*other)
+    }
+}
+
+impl Integer for BigInt {
+    fn ball(&self) -> Ball<f64> {
+        let mid = self.to_f64();
+        Ball { mid, radius: mid.abs() * 2.0 * f64::EPSILON }
+    }
+
+    fn residue<const W: usize>(&self) -> Residue<W> {
+        Residue::from_big(self)
+    }
+
+    fn big(&self) -> BigInt {
+        self.clone()
+    }
+
+    fn minus(&self, other: &BigInt) -> BigInt {
+        self - other
+    }
+}
+
+/// The points of one element as integers, with the integer that stands for the length 1.
+pub(super) struct Cleared<I, const K: usize> {
+    pub points: [Point<I>; K],
+    pub unit: I,
+}
+
+impl<I: Integer, const K: usize> Cleared<I, K> {
+    /// Moves the first point to the origin.
+    #[inline]
+    pub fn translated(mut self) -> Self {
+        let origin = self.points[0].clone();
+        for p in &mut self.points {
+            *p = Point::new(p.x.minus(&origin.x), p.y.minus(&origin.y), p.z.minus(&origin.z));
+        }
+        self
+    }
+
+    #[inline]
+    pub fn over<R>(&self, f: impl Fn(&I) -> R) -> ([Point<R>; K], R) {
+        (std::array::from_fn(|i| self.points[i].map(&f)), f(&self.unit))
+    }
+
+    #[inline]
+    fn eval<R: Ring>(&self, residual: impl Residual<K>, f: impl Fn(&I) -> R) -> R {
+        let (points, unit) = self.over(f);
+        residual.eval(&points, &unit)
+    }
+
+    /// The exact sign of the residual.
+    #[inline]
+    pub fn sign(&self, residual: impl Residual<K>) -> Sign {
+        let ball = self.eval(residual, I::ball);
+        match ball.certain_sign() {
+            Some(sign) => sign,
+            None => self.exact(residual, ball.bound()).0,
+        }
+    }
+
+    /// The exact residual, rounded to a double within a few units in the last place.
+    pub fn value(&self, residual: impl Residual<K>) -> f64 {
+        self.exact(residual, self.eval(residual, I::ball).bound()).1
+    }
+
+    /// Sign and rounded value of the residual, which is known to be at most `bound` in size.
+    fn exact(&self, residual: impl Residual<K>, bound: f64) -> (Sign, f64) {
+        const WORDS_2: f64 = (1u128 << 126) as f64;
+        const WORDS_3: f64 = WORDS_2 * (1u128 << 64) as f64;
+        const WORDS_4: f64 = WORDS_3 * (1u128 << 64) as f64;
+        const WORDS_8: f64 = WORDS_4 * WORDS_4 * 4.0;
+        if bound < WORDS_2 {
+            self.in_words::<2>(residual)
+        } else if bound < WORDS_3 {
+            self.in_words::<3>(residual)
+        } else if bound < WORDS_4 {
+            self.in_words::<4>(residual)
+        } else if bound < WORDS_8 {
+            self.in_words::<8>(residual)
+        } else {
+            let value = self.eval(residual, I::big);
+            (value.certain_sign().unwrap_or(Sign::Zero), value.to_f64())
+        }
+    }
+
+    #[inline]
+    fn in_words<const W: usize>(&self, residual: impl Residual<K>) -> (Sign, f64) {
+        let residue = self.eval(residual, I::residue::<W>);
+        (residue.centred_sign(), residue.centred_f64())
+    }
+}

@@ -1,0 +1,152 @@
+//! The plain ways to decide: exactly in a rational field, or observed in `f64`.
+
+use super::report::Failure;
+use super::residual::{Answer, Decide, Residual, RootSum, defect, sizes};
+use super::roots::vanish_over;
+use crate::mesh::VertexId;
+use crate::scalar::{Approx, Magnitude, Ordered, RationalField, Sign};
+use crate::space::Point;
+
+/// Decides by evaluation in an exact field: the definition that the fast way is held against.
+#[derive(Clone, Copy, Debug)]
+pub struct Plain<'a, Q>(pub &'a [Point<Q>]);
+
+/// Decides by evaluation in `f64`.
+///
+/// Nothing is ever found to be zero: a residual is [`Near`](Answer::Near) if it is at most
+/// `tolerance` times its scale.
+#[derive(Clone, Copy, Debug)]
+pub struct Observed<'a> {
+    /// The points of the mesh.
+    pub points: &'a [Point<f64>],
+    /// The largest `|residual| / scale` that counts as near.
+    pub tolerance: f64,
+}
+
+fn at<T: Clone, const K: usize>(points: &[Point<T>], at: [VertexId; K]) -> [Point<T>; K] {
+    at.map(|v| points[v.index()].clone())
+}
+
+fn failure<T: Approx, R: Residual<K>, const K: usize>(
+    condition: &'static str,
+    residual: R,
+    points: &[Point<T>; K],
+) -> Failure<T> {
+    let value = residual.eval(points, &T::one());
+    let scale = residual.eval(&sizes(points, R::TRANSLATES), &Magnitude(1.0)).0;
+    Failure { condition, defect: defect(value.to_f64(), scale), residual: Some(value) }
+}
+
+fn root_failure<T: Approx, const K: usize, const TERMS: usize>(
+    condition: &'static str,
+    sum: impl RootSum<K, TERMS>,
+    points: &[Point<T>; K],
+) -> Failure<T> {
+    let value = sum.eval(points).iter().map(|(c, q)| c.to_f64() * q.to_f64().sqrt()).sum();
+    let scale = sum.eval(&sizes(points, true)).iter().map(|(c, q)| c.0 * q.0.sqrt()).sum();
+    Failure { condition, defect: defect(value, scale), residual: None }
+}
+
+impl<Q: RationalField> Decide for Plain<'_, Q> {
+    type Value = Q;
+
+    fn decide<const K: usize>(&self, residual: impl Residual<K>, v: [VertexId; K]) -> Answer {
+        let value = residual.eval(&at(self.0, v), &Q::one());
+        if value.is_zero() { Answer::Zero } else { Answer::Nonzero }
+    }
+
+    fn sign<const K: usize>(&self, residual: impl Residual<K>, v: [VertexId; K]) -> (Sign, bool) {
+        let value = residual.eval(&at(self.0, v), &Q::one());
+        (value.certain_sign().unwrap_or(Sign::Zero), true)
+    }
+
+    fn decide_roots<const K: usize, const TERMS: usize>(
+        &self,
+        sum: impl RootSum<K, TERMS>,
+        v: [VertexId; K],
+    ) -> Answer {
+        match vanish_over(&sum.eval(&at(self.0, v))) {
+            Some(true) => Answer::Zero,
+            _ => Answer::Nonzero,
+        }
+    }
+
+    fn same_top_view(&self, a: VertexId, b: VertexId) -> bool {
+        self.0[a.index()].is_parallel_to(&self.0[b.index()])
+    }
+
+    fn same_point(&self, a: VertexId, b: VertexId) -> bool {
+        self.0[a.index()] == self.0[b.index()]
+    }
+
+    fn failure<const K: usize>(
+        &self,
+        condition: &'static str,
+        residual: impl Residual<K>,
+        v: [VertexId; K],
+    ) -> Failure<Q> {
+        failure(condition, residual, &at(self.0, v))
+    }
+
+    fn root_failure<const K: usize, const TERMS: usize>(
+        &self,
+        condition: &'static str,
+        sum: impl RootSum<K, TERMS>,
+        v: [VertexId; K],
+    ) -> Failure<Q> {
+        root_failure(condition, sum, &at(self.0, v))
+    }
+}
+
+impl Observed<'_> {
+    fn near(&self, failure: Failure<f64>) -> Answer {
+        if failure.defect <= self.tolerance { Answer::Near } else { Answer::Nonzero }
+    }
+}
+
+impl Decide for Observed<'_> {
+    type Value = f64;
+
+    fn decide<const K: usize>(&self, residual: impl Residual<K>, v: [VertexId; K]) -> Answer {
+        self.near(self.failure("", residual, v))
+    }
+
+    fn sign<const K: usize>(&self, residual: impl Residual<K>, v: [VertexId; K]) -> (Sign, bool) {
+        let value = residual.eval(&at(self.points, v), &1.0);
+        (value.certain_sign().unwrap_or(Sign::Zero), false)
+    }
+
+    fn decide_roots<const K: usize, const TERMS: usize>(
+        &self,
+        sum: impl RootSum<K, TERMS>,
+        v: [VertexId; K],
+    ) -> Answer {
+        self.near(self.root_failure("", sum, v))
+    }
+
+    fn same_top_view(&self, a: VertexId, b: VertexId) -> bool {
+        self.points[a.index()].is_parallel_to(&self.points[b.index()])
+    }
+
+    fn same_point(&self, a: VertexId, b: VertexId) -> bool {
+        self.points[a.index()] == self.points[b.index()]
+    }
+
+    fn failure<const K: usize>(
+        &self,
+        condition: &'static str,
+        residual: impl Residual<K>,
+        v: [VertexId; K],
+    ) -> Failure<f64> {
+        failure(condition, residual, &at(self.points, v))
+    }
+
+    fn root_failure<const K: usize, const TERMS: usize>(
+        &self,
+        condition: &'static str,
+        sum: impl RootSum<K, TERMS>,
+        v: [VertexId; K],
+    ) -> Failure<f64> {
+        root_failure(condition, sum, &at(self.points, v))
+    }
+}

@@ -1,0 +1,234 @@
+//! What was found on each element, and the report made of it.
+
+use std::fmt;
+
+use rayon::prelude::*;
+
+use super::residual::Answer;
+use super::verdict::Verdict;
+use crate::mesh::{FaceId, VertexId};
+
+/// What a residual belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Element {
+    /// A face.
+    Face(FaceId),
+    /// A vertex.
+    Vertex(VertexId),
+    /// An edge, by its ends.
+    Edge(VertexId, VertexId),
+}
+
+impl fmt::Display for Element {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Element::Face(face) => write!(f, "face {}", face.0),
+            Element::Vertex(v) => write!(f, "vertex {}", v.0),
+            Element::Edge(a, b) => write!(f, "edge {}-{}", a.0, b.0),
+        }
+    }
+}
+
+/// Why a property is not defined on an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Reason {
+    /// The face plane is isotropic: the top view of the face lies on a line.
+    VerticalFace(FaceId),
+    /// All points of the face lie on a line, so it has no plane.
+    CollinearFace(FaceId),
+    /// The ends of the edge have the same top view.
+    IsotropicEdge,
+    /// The top view of the face has area zero or is oriented unlike its neighbours.
+    NotEmbedded(FaceId),
+    /// The boundary of the top view is not convex here, so that edges alone do not decide.
+    ReflexBoundary,
+    /// The mesh is pinched at this vertex: its faces form more than one fan.
+    PinchedVertex,
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Reason::VerticalFace(face) => {
+                write!(f, "face {} is vertical: its top view lies on a line", face.0)
+            }
+            Reason::CollinearFace(face) => {
+                write!(f, "face {} has no plane: its points lie on a line", face.0)
+            }
+            Reason::IsotropicEdge => write!(f, "the edge is vertical or of length zero"),
+            Reason::NotEmbedded(face) => {
+                write!(f, "the top view of face {} is flat or turned over", face.0)
+            }
+            Reason::ReflexBoundary => write!(
+                f,
+                "the boundary of the top view is not convex here: the edges are locally Delaunay, more is not known"
+            ),
+            Reason::PinchedVertex => write!(f, "the mesh is pinched here"),
+        }
+    }
+}
+
+/// A residual that does not vanish.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure<V> {
+    /// The condition that it belongs to.
+    pub condition: &'static str,
+    /// `|residual| / scale`, free of units: the scale is the sum of the sizes of its terms.
+    pub defect: f64,
+    /// The exact residual, where it was asked for and lies in the field.
+    pub residual: Option<V>,
+}
+
+/// What a check found on one element.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome<V> {
+    /// All residuals are exactly zero.
+    Holds,
+    /// No residual: the property holds by itself, as planarity of a triangle does.
+    Trivial,
+    /// Zero cannot be excluded for the box of the printed digits.
+    Consistent,
+    /// Not decided, or only within a tolerance.
+    Undecided,
+    /// A residual is not zero.
+    Fails(Failure<V>),
+    /// The property is not defined here.
+    Undefined(Reason),
+}
+
+impl<V> Outcome<V> {
+    /// The outcome of residuals of which the worst is `answer`.
+    pub fn of(answer: Answer, failure: impl FnOnce() -> Failure<V>) -> Self {
+        match answer {
+            Answer::Zero => Outcome::Holds,
+            Answer::InBox => Outcome::Consistent,
+            Answer::Near => Outcome::Undecided,
+            Answer::Nonzero => Outcome::Fails(failure()),
+        }
+    }
+}
+
+/// The element that is worst, as evidence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Witness<V> {
+    /// Where.
+    pub element: Element,
+    /// What does not vanish there.
+    pub failure: Failure<V>,
+}
+
+/// The result of checking one property on a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report<V> {
+    /// The name of the property.
+    pub property: &'static str,
+    /// Elements with at least one residual that could be looked at.
+    pub checked: usize,
+    /// Elements on which the property holds by itself.
+    pub trivial: usize,
+    /// Elements that are possible within the box of the printed digits, no more.
+    pub consistent: usize,
+    /// Elements not decided.
+    pub undecided: usize,
+    /// Elements on which the property fails, in order.
+    pub failures: Vec<Element>,
+    /// Elements on which the property is not defined, in order.
+    pub undefined: Vec<(Element, Reason)>,
+    /// The failure with the largest defect; of equals the first.
+    pub worst: Option<Witness<V>>,
+}
+
+impl<V> Report<V> {
+    /// An empty report.
+    pub fn new(property: &'static str) -> Self {
+        Report {
+            property,
+            checked: 0,
+            trivial: 0,
+            consistent: 0,
+            undecided: 0,
+            failures: Vec::new(),
+            undefined: Vec::new(),
+            worst: None,
+        }
+    }
+
+    /// The verdict on the whole mesh.
+    pub fn verdict(&self) -> Verdict {
+        if !self.failures.is_empty() {
+            Verdict::Refuted
+        } else if !self.undefined.is_empty() || self.undecided > 0 {
+            Verdict::Undecided
+        } else if self.consistent > 0 {
+            Verdict::Consistent
+        } else if self.checked > 0 {
+            Verdict::Proved
+        } else {
+            Verdict::Vacuous
+        }
+    }
+
+    /// Adds what was found on one more element.
+    pub fn add(&mut self, element: Element, outcome: Outcome<V>) {
+        match outcome {
+            Outcome::Holds => self.checked += 1,
+            Outcome::Trivial => self.trivial += 1,
+            Outcome::Consistent => {
+                self.checked += 1;
+                self.consistent += 1;
+            }
+            Outcome::Undecided => {
+                self.checked += 1;
+                self.undecided += 1;
+            }
+            Outcome::Undefined(reason) => self.undefined.push((element, reason)),
+            Outcome::Fails(failure) => {
+                self.checked += 1;
+                self.failures.push(element);
+                self.note_failure(Witness { element, failure });
+            }
+        }
+    }
+
+    fn note_failure(&mut self, witness: Witness<V>) {
+        if self.worst.as_ref().is_none_or(|w| witness.failure.defect > w.failure.defect) {
+            self.worst = Some(witness);
+        }
+    }
+
+    /// Joins the report of the elements that follow.
+    fn join(mut self, next: Self) -> Self {
+        self.checked += next.checked;
+        self.trivial += next.trivial;
+        self.consistent += next.consistent;
+        self.undecided += next.undecided;
+        self.failures.extend(next.failures);
+        self.undefined.extend(next.undefined);
+        if let Some(witness) = next.worst {
+            self.note_failure(witness);
+        }
+        self
+    }
+
+    /// Checks elements in parallel; the report does not depend on the number of threads.
+    pub fn collect<E: Copy + Sync>(
+        property: &'static str,
+        elements: &[E],
+        find: impl Fn(E) -> (Element, Outcome<V>) + Sync,
+    ) -> Self
+    where
+        V: Send,
+    {
+        const CHUNK: usize = 4096;
+        let part = |chunk: &[E]| {
+            let mut report = Report::new(property);
+            for &e in chunk {
+                let (element, outcome) = find(e);
+                report.add(element, outcome);
+            }
+            report
+        };
+        let parts: Vec<_> = elements.par_chunks(CHUNK).map(part).collect();
+        parts.into_iter().fold(Report::new(property), Report::join)
+    }
+}

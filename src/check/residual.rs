@@ -1,0 +1,102 @@
+//! Polynomials that must vanish, and what it means to decide whether they do.
+
+use std::fmt::{Debug, Display};
+
+use super::report::Failure;
+use crate::mesh::VertexId;
+use crate::scalar::{Approx, Magnitude, Ring, Sign};
+use crate::space::Point;
+
+/// A polynomial in the coordinates of `K` points that vanishes where a property holds.
+///
+/// It is homogeneous in the coordinates together with `unit`, the length 1: a formula that speaks
+/// of the unit i-sphere writes `2 z · unit − x² − y²`. So it may be evaluated on integers after
+/// denominators have been cleared, with the common denominator for `unit`.
+pub trait Residual<const K: usize>: Copy + Send + Sync {
+    /// Whether the value is the same after a common translation of all points.
+    const TRANSLATES: bool;
+
+    /// The value.
+    fn eval<R: Ring>(self, points: &[Point<R>; K], unit: &R) -> R;
+}
+
+/// A sum `Σ cᵢ √qᵢ` whose `cᵢ` and `qᵢ` are polynomials in the coordinates of `K` points,
+/// unchanged under translation and homogeneous.
+pub trait RootSum<const K: usize, const TERMS: usize>: Copy + Send + Sync {
+    /// The pairs `(cᵢ, qᵢ)`.
+    fn eval<R: Ring>(self, points: &[Point<R>; K]) -> [(R, R); TERMS];
+}
+
+/// What is known of a residual; ordered from best to worst.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Answer {
+    /// Exactly zero.
+    Zero,
+    /// Not zero as printed, but zero is possible within the box of the printed digits.
+    InBox,
+    /// Not zero, or not known to be, but within the tolerance that was asked for.
+    Near,
+    /// Not zero.
+    Nonzero,
+}
+
+/// Decides polynomial conditions on the points of a mesh, named by their vertices.
+pub trait Decide: Sync {
+    /// The type of exact residuals in reports.
+    type Value: Clone + Debug + Display + PartialEq + Send + Sync;
+
+    /// Whether the residual vanishes.
+    fn decide<const K: usize>(&self, residual: impl Residual<K>, at: [VertexId; K]) -> Answer;
+
+    /// The sign of the residual as printed, and whether it is the same in the whole box.
+    fn sign<const K: usize>(&self, residual: impl Residual<K>, at: [VertexId; K]) -> (Sign, bool);
+
+    /// Whether the sum of roots vanishes.
+    fn decide_roots<const K: usize, const TERMS: usize>(
+        &self,
+        sum: impl RootSum<K, TERMS>,
+        at: [VertexId; K],
+    ) -> Answer;
+
+    /// Whether two vertices have the same top view as printed.
+    fn same_top_view(&self, a: VertexId, b: VertexId) -> bool;
+
+    /// Whether two vertices are the same point as printed.
+    fn same_point(&self, a: VertexId, b: VertexId) -> bool;
+
+    /// A residual that does not vanish: its size compared with its terms, and, where values were
+    /// asked for, itself.
+    fn failure<const K: usize>(
+        &self,
+        condition: &'static str,
+        residual: impl Residual<K>,
+        at: [VertexId; K],
+    ) -> Failure<Self::Value>;
+
+    /// A sum of roots that does not vanish; as it is no number of the field, it has no exact value.
+    fn root_failure<const K: usize, const TERMS: usize>(
+        &self,
+        condition: &'static str,
+        sum: impl RootSum<K, TERMS>,
+        at: [VertexId; K],
+    ) -> Failure<Self::Value>;
+}
+
+/// `|value| / scale`; where every term is zero, so is the value.
+pub(super) fn defect(value: f64, scale: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { value.abs() / scale }
+}
+
+/// The sizes of coordinates, after the first point is moved to the origin if that is allowed.
+pub(super) fn sizes<T: Approx, const K: usize>(
+    points: &[Point<T>; K],
+    translates: bool,
+) -> [Point<Magnitude>; K] {
+    let origin = &points[0];
+    std::array::from_fn(|i| {
+        let p = &points[i];
+        let size =
+            |a: &T, b: &T| Magnitude(if translates { (a - b).to_f64() } else { a.to_f64() }.abs());
+        Point::new(size(&p.x, &origin.x), size(&p.y, &origin.y), size(&p.z, &origin.z))
+    })
+}
