@@ -2,5 +2,6 @@
 
 pub mod check;
 pub mod mesh;
+pub mod net;
 pub mod scalar;
 pub mod space;

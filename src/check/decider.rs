@@ -23,7 +23,6 @@ pub struct Decider<'a> {
     store: Store<'a>,
     boxes: Option<&'a [Point<Numeral>]>,
     tolerance: Option<f64>,
-    values: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -45,13 +44,13 @@ impl<'a> Decider<'a> {
         let store = lattice_of_numerals(points).unwrap_or_else(|| {
             Store::Rationals(points.iter().map(|p| p.map(Numeral::value)).collect())
         });
-        Decider { store, boxes: None, tolerance: None, values: false }
+        Decider { store, boxes: None, tolerance: None }
     }
 
     /// Decides on rational points.
     pub fn of_rationals(points: &'a [Point<Rational>]) -> Self {
         let store = lattice_of_rationals(points).unwrap_or(Store::Rationals(points.into()));
-        Decider { store, boxes: None, tolerance: None, values: false }
+        Decider { store, boxes: None, tolerance: None }
     }
 
     /// Decides on the boxes that printed numbers stand for: half a unit of the last digit about
@@ -63,12 +62,6 @@ impl<'a> Decider<'a> {
     /// Counts what is within `tolerance` of zero, in proportion to its scale, as near.
     pub fn within(mut self, tolerance: Option<f64>) -> Self {
         self.tolerance = tolerance;
-        self
-    }
-
-    /// Lets failures carry the exact residual.
-    pub fn with_values(mut self) -> Self {
-        self.values = true;
         self
     }
 }
@@ -174,7 +167,7 @@ impl Decide for Decider<'_> {
             (Sign::Zero, _) => Answer::Zero,
             (_, false) => Answer::InBox,
             (_, true) if self.tolerance.is_none() => Answer::Nonzero,
-            (_, true) => self.near(|| self.failure("", residual, at)),
+            (_, true) => self.near(|| self.failure("", residual, at, false)),
         }
     }
 
@@ -227,8 +220,9 @@ impl Decide for Decider<'_> {
         condition: &'static str,
         residual: impl Residual<K>,
         at: [VertexId; K],
+        exact: bool,
     ) -> Failure<Rational> {
-        self.failure_of(condition, residual, at)
+        self.failure_of(condition, residual, at, exact)
     }
 
     fn root_failure<const K: usize, const TERMS: usize>(
@@ -264,13 +258,14 @@ impl Decider<'_> {
         condition: &'static str,
         residual: R,
         at: [VertexId; K],
+        exact: bool,
     ) -> Failure<Rational> {
         let local = self.local(at, R::TRANSLATES);
         let value = either!(&local, c => c.value(residual));
         let (sizes, unit) = either!(&local, c => c.over(|i| Magnitude(i.ball().mid.abs())));
         let scale = residual.eval(&sizes, &unit).0;
-        let exact = || residual.eval(&self.exact(at), &Rational::one());
-        Failure { condition, defect: defect(value, scale), residual: self.values.then(exact) }
+        let residual = exact.then(|| residual.eval(&self.exact(at), &Rational::one()));
+        Failure { condition, defect: defect(value, scale), residual }
     }
 }
 

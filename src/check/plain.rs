@@ -84,6 +84,7 @@ impl<Q: RationalField> Decide for Plain<'_, Q> {
         condition: &'static str,
         residual: impl Residual<K>,
         v: [VertexId; K],
+        _: bool,
     ) -> Failure<Q> {
         failure(condition, residual, &at(self.0, v))
     }
@@ -108,7 +109,7 @@ impl Decide for Observed<'_> {
     type Value = f64;
 
     fn decide<const K: usize>(&self, residual: impl Residual<K>, v: [VertexId; K]) -> Answer {
-        self.near(self.failure("", residual, v))
+        self.near(self.failure("", residual, v, false))
     }
 
     fn sign<const K: usize>(&self, residual: impl Residual<K>, v: [VertexId; K]) -> (Sign, bool) {
@@ -137,6 +138,7 @@ impl Decide for Observed<'_> {
         condition: &'static str,
         residual: impl Residual<K>,
         v: [VertexId; K],
+        _: bool,
     ) -> Failure<f64> {
         failure(condition, residual, &at(self.points, v))
     }

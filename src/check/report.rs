@@ -40,10 +40,8 @@ pub enum Reason {
     IsotropicEdge,
     /// The top view of the face has area zero or is oriented unlike its neighbours.
     NotEmbedded(FaceId),
-    /// The boundary of the top view is not convex here, so that edges alone do not decide.
-    ReflexBoundary,
-    /// The mesh is pinched at this vertex: its faces form more than one fan.
-    PinchedVertex,
+    /// The top view is no disc with a convex boundary, so that edges alone do not decide.
+    NotConvex,
 }
 
 impl fmt::Display for Reason {
@@ -59,11 +57,10 @@ impl fmt::Display for Reason {
             Reason::NotEmbedded(face) => {
                 write!(f, "the top view of face {} is flat or turned over", face.0)
             }
-            Reason::ReflexBoundary => write!(
+            Reason::NotConvex => write!(
                 f,
-                "the boundary of the top view is not convex here: the edges are locally Delaunay, more is not known"
+                "the top view is no disc with a convex boundary here, so that all edges are locally Delaunay and more is not known"
             ),
-            Reason::PinchedVertex => write!(f, "the mesh is pinched here"),
         }
     }
 }

@@ -64,13 +64,14 @@ pub trait Decide: Sync {
     /// Whether two vertices are the same point as printed.
     fn same_point(&self, a: VertexId, b: VertexId) -> bool;
 
-    /// A residual that does not vanish: its size compared with its terms, and, where values were
-    /// asked for, itself.
+    /// A residual that does not vanish: its size compared with its terms, and itself at least
+    /// where `exact` asks for it.
     fn failure<const K: usize>(
         &self,
         condition: &'static str,
         residual: impl Residual<K>,
         at: [VertexId; K],
+        exact: bool,
     ) -> Failure<Self::Value>;
 
     /// A sum of roots that does not vanish; as it is no number of the field, it has no exact value.

@@ -357,6 +357,21 @@ impl Topology {
             .map(HalfEdge)
     }
 
+    /// The half-edge from `a` to `b`, or the one from `b` to `a` if only that exists.
+    ///
+    /// Costs a walk around `a`; at a pinched vertex all half-edges are looked through.
+    pub fn edge(&self, a: VertexId, b: VertexId) -> Option<HalfEdge> {
+        let joins = |&h: &HalfEdge| {
+            let ends = (self.origin(h), self.target(h));
+            ends == (a, b) || ends == (b, a)
+        };
+        let around = self.star(a).flat_map(|h| [h, self.prev(h)]);
+        around.into_iter().find(joins).or_else(|| {
+            let pinched = self.kind(a) == VertexKind::Pinched;
+            self.edges().filter(|_| pinched).find(joins)
+        })
+    }
+
     /// The half-edges of a face, from the first corner.
     pub fn half_edges(&self, face: FaceId) -> impl ExactSizeIterator<Item = HalfEdge> + use<> {
         (self.starts[face.index()]..self.starts[face.index() + 1]).map(HalfEdge)

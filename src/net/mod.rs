@@ -1,0 +1,212 @@
+//! Floor 3: classes of mesh, one file each: definition, residual, and what is undefined.
+//!
+//! | property | element | residual vanishes iff |
+//! | --- | --- | --- |
+//! | [`planar`] | face | its points lie in a plane |
+//! | [`circular`](i_circular) `i-circular` | face | planar, and the top view is concyclic |
+//! | [`conical`](i_conical) `i-conical` | interior vertex | the gradients of its faces are concyclic |
+//! | [`scribed`] `inscribed` | vertex | it lies on the unit i-sphere Σ |
+//! | [`scribed`] `circumscribed` | face | its plane touches Σ |
+//! | [`scribed`] `midscribed` | edge | its line touches Σ |
+//! | [`delaunay`] | edge, face | no circumcircle of the top view has a vertex inside |
+//! | [`euclidean`] `circular`, `conical` | face, interior vertex | the Euclidean notions |
+//!
+//! Boundary rule: vertex properties are tested where the faces around a vertex form one closed
+//! cycle; boundary and pinched vertices are no elements of the check.
+
+pub mod delaunay;
+pub mod euclidean;
+pub mod i_circular;
+pub mod i_conical;
+pub mod planar;
+pub mod scribed;
+
+use std::sync::OnceLock;
+
+use rayon::prelude::*;
+
+use crate::check::{Decide, Element, Failure, Outcome, Report, Residual, Witness};
+use crate::mesh::{FaceId, Topology, VertexId};
+pub use planar::FaceShape;
+
+/// A property of a single mesh that can be checked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Property {
+    /// Faces lie in planes.
+    Planar,
+    /// Faces have isotropic circumcircles.
+    ICircular,
+    /// The face planes at a vertex touch an isotropic cone of revolution.
+    IConical,
+    /// Vertices lie on the unit i-sphere.
+    Inscribed,
+    /// Face planes touch the unit i-sphere.
+    Circumscribed,
+    /// Edges touch the unit i-sphere.
+    Midscribed,
+    /// The top view is a Delaunay triangulation.
+    Delaunay,
+    /// Faces have Euclidean circumcircles.
+    Circular,
+    /// The face planes at a vertex touch a Euclidean cone of revolution.
+    Conical,
+}
+
+impl Property {
+    /// All properties, in the order of reports.
+    pub const ALL: [Property; 9] = [
+        Property::Planar,
+        Property::ICircular,
+        Property::IConical,
+        Property::Inscribed,
+        Property::Circumscribed,
+        Property::Midscribed,
+        Property::Delaunay,
+        Property::Circular,
+        Property::Conical,
+    ];
+
+    /// The name on the command line and in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Property::Planar => "planar",
+            Property::ICircular => "i-circular",
+            Property::IConical => "i-conical",
+            Property::Inscribed => "inscribed",
+            Property::Circumscribed => "circumscribed",
+            Property::Midscribed => "midscribed",
+            Property::Delaunay => "delaunay",
+            Property::Circular => "circular",
+            Property::Conical => "conical",
+        }
+    }
+
+    /// The property of that name.
+    pub fn from_name(name: &str) -> Option<Property> {
+        Property::ALL.into_iter().find(|p| p.name() == name)
+    }
+}
+
+/// A mesh whose classes are being asked for: combinatorics, a way to decide, and what has been
+/// found out about the faces.
+#[derive(Debug)]
+pub struct Net<'a, D> {
+    topology: &'a Topology,
+    decide: &'a D,
+    shapes: OnceLock<Vec<FaceShape>>,
+    disc: OnceLock<bool>,
+}
+
+impl<'a, D: Decide> Net<'a, D> {
+    /// Combinatorics and a decider for the points of the same mesh.
+    pub fn new(topology: &'a Topology, decide: &'a D) -> Self {
+        Net { topology, decide, shapes: OnceLock::new(), disc: OnceLock::new() }
+    }
+
+    /// Checks one property on all its elements.
+    ///
+    /// Linear in the size of the mesh, in parallel; what is found about the faces is kept for the
+    /// next property.
+    pub fn check(&self, property: Property) -> Report<D::Value> {
+        let elements = self.elements(property);
+        let quick = Judge { net: self, exact: false };
+        let mut report =
+            Report::collect(property.name(), &elements, |e| (e, quick.outcome(property, e)));
+        if let Some(Witness { element, failure }) = &mut report.worst {
+            let thorough = Judge { net: self, exact: true };
+            if let Outcome::Fails(exact) = thorough.outcome(property, *element) {
+                *failure = exact;
+            }
+        }
+        report
+    }
+
+    fn elements(&self, property: Property) -> Vec<Element> {
+        let topology = self.topology;
+        let faces = || topology.faces().map(Element::Face);
+        let interior = || topology.interior_vertices().map(Element::Vertex);
+        let edges =
+            || topology.edges().map(|h| Element::Edge(topology.origin(h), topology.target(h)));
+        match property {
+            Property::Planar
+            | Property::ICircular
+            | Property::Circumscribed
+            | Property::Circular => faces().collect(),
+            Property::IConical | Property::Conical => interior().collect(),
+            Property::Inscribed => topology.vertices().map(Element::Vertex).collect(),
+            Property::Midscribed => edges().collect(),
+            Property::Delaunay => delaunay::elements(topology),
+        }
+    }
+
+    /// Whether the mesh is a disc whose boundary winds once in the top view.
+    fn is_disc(&self) -> bool {
+        *self.disc.get_or_init(|| delaunay::is_disc(self.topology, self.decide))
+    }
+
+    /// What is known about a face: planarity and the position of its plane.
+    fn shape(&self, face: FaceId) -> FaceShape {
+        let shapes = self.shapes.get_or_init(|| {
+            let faces = 0..self.topology.face_count() as u32;
+            let shape = |f| planar::shape(self.decide, self.topology.face(FaceId(f)));
+            faces.into_par_iter().with_min_len(1024).map(shape).collect()
+        });
+        shapes[face.index()]
+    }
+}
+
+/// Judges elements, with or without the exact value of what does not vanish.
+struct Judge<'a, D> {
+    net: &'a Net<'a, D>,
+    exact: bool,
+}
+
+impl<D: Decide> Judge<'_, D> {
+    fn outcome(&self, property: Property, element: Element) -> Outcome<D::Value> {
+        match (property, element) {
+            (Property::Planar, Element::Face(f)) => planar::outcome(self, f),
+            (Property::ICircular, Element::Face(f)) => i_circular::outcome(self, f),
+            (Property::IConical, Element::Vertex(v)) => i_conical::outcome(self, v),
+            (Property::Inscribed, Element::Vertex(v)) => scribed::inscribed(self, v),
+            (Property::Circumscribed, Element::Face(f)) => scribed::circumscribed(self, f),
+            (Property::Midscribed, Element::Edge(a, b)) => scribed::midscribed(self, a, b),
+            (Property::Delaunay, element) => delaunay::outcome(self, element),
+            (Property::Circular, Element::Face(f)) => euclidean::circular(self, f),
+            (Property::Conical, Element::Vertex(v)) => euclidean::conical(self, v),
+            // `elements` pairs every property with its own kind of element.
+            _ => Outcome::Trivial,
+        }
+    }
+
+    fn topology(&self) -> &Topology {
+        self.net.topology
+    }
+
+    fn decide(&self) -> &D {
+        self.net.decide
+    }
+
+    fn failure<const K: usize>(
+        &self,
+        condition: &'static str,
+        residual: impl Residual<K>,
+        at: [VertexId; K],
+    ) -> Failure<D::Value> {
+        self.net.decide.failure(condition, residual, at, self.exact)
+    }
+
+    /// The failure with the largest defect among several points of evaluation.
+    fn worst<const K: usize>(
+        &self,
+        condition: &'static str,
+        residual: impl Residual<K>,
+        places: impl Iterator<Item = [VertexId; K]>,
+    ) -> Failure<D::Value> {
+        let failures = places.map(|at| self.failure(condition, residual, at));
+        let worse = |a: Failure<D::Value>, b: Failure<D::Value>| {
+            if b.defect > a.defect { b } else { a }
+        };
+        let none = Failure { condition, defect: 0.0, residual: None };
+        failures.reduce(worse).unwrap_or(none)
+    }
+}
