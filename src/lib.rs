@@ -1,6 +1,7 @@
 //! Discrete surfaces in isotropic geometry, checked exactly.
 
 pub mod check;
+pub mod construct;
 pub mod mesh;
 pub mod net;
 pub mod scalar;

@@ -5,12 +5,10 @@ use num_integer::Integer as _;
 
 use super::integers::{Cleared, Integer};
 use super::report::Failure;
-use super::residual::{Answer, Decide, Residual, RootSum, defect};
+use super::residual::{Answer, Decide, Residual, RootSum};
 use super::roots::vanish;
 use crate::mesh::VertexId;
-use crate::scalar::{
-    Ball, Base, Magnitude, Numeral, Rational, RationalField, Ring, Sign, Variation,
-};
+use crate::scalar::{Ball, Base, Numeral, Rational, RationalField, Ring, Sign, Variation};
 use crate::space::Point;
 
 /// Decides residuals exactly, whatever the size of the numbers, in integers as narrow as a bound
@@ -232,11 +230,8 @@ impl Decide for Decider<'_> {
         at: [VertexId; K],
     ) -> Failure<Rational> {
         let local = self.local(at, true);
-        let (balls, _) = either!(&local, c => c.over(Integer::ball));
-        let value = enclose(&sum.eval(&balls)).mid;
-        let (sizes, _) = either!(&local, c => c.over(|i| Magnitude(i.ball().mid.abs())));
-        let scale = sum.eval(&sizes).iter().map(|(c, q)| c.0 * q.0.sqrt()).sum();
-        Failure { condition, defect: defect(value, scale), residual: None }
+        let defect = either!(&local, c => c.root_defect(sum));
+        Failure { condition, defect, residual: None }
     }
 }
 
@@ -261,11 +256,9 @@ impl Decider<'_> {
         exact: bool,
     ) -> Failure<Rational> {
         let local = self.local(at, R::TRANSLATES);
-        let value = either!(&local, c => c.value(residual));
-        let (sizes, unit) = either!(&local, c => c.over(|i| Magnitude(i.ball().mid.abs())));
-        let scale = residual.eval(&sizes, &unit).0;
+        let defect = either!(&local, c => c.defect(residual));
         let residual = exact.then(|| residual.eval(&self.exact(at), &Rational::one()));
-        Failure { condition, defect: defect(value, scale), residual }
+        Failure { condition, defect, residual }
     }
 }
 

@@ -8,8 +8,8 @@
 
 use num_bigint::BigInt;
 
-use super::residual::Residual;
-use crate::scalar::{Approx, Ball, Ordered, Residue, Ring, Sign};
+use super::residual::{Residual, RootSum};
+use crate::scalar::{Approx, Ball, Magnitude, Ordered, Residue, Ring, Sign, ratio_to_f64};
 use crate::space::Point;
 
 /// Integers that cleared coordinates are kept in.
@@ -100,6 +100,31 @@ impl<I: Integer, const K: usize> Cleared<I, K> {
             Some(sign) => sign,
             None => self.exact(residual, ball.bound()).0,
         }
+    }
+
+    /// `|residual| / scale` where the scale is the residual with every sign taken positive.
+    pub fn defect(&self, residual: impl Residual<K>) -> f64 {
+        let value = self.value(residual).abs();
+        let scale = self.eval(residual, |i| Magnitude::of(&i.ball().mid)).0;
+        if scale.is_normal() && value.is_normal() {
+            return value / scale;
+        }
+        // Beyond the range of doubles: the same in integers.
+        let value = self.eval(residual, I::big);
+        let scale = self.eval(residual, |i| Magnitude::of(&i.big())).0;
+        if value.is_zero() { 0.0 } else { ratio_to_f64(&value, &scale).abs() }
+    }
+
+    /// The same for a sum of roots, in doubles; coordinates are divided by the largest first.
+    pub fn root_defect<const TERMS: usize>(&self, sum: impl RootSum<K, TERMS>) -> f64 {
+        let bits = |i: &I| i.big().bits();
+        let largest = self.points.iter().flat_map(|p| p.coordinates()).map(bits).max().unwrap_or(0);
+        let unit = BigInt::one() << largest;
+        let (points, _) = self.over(|i| ratio_to_f64(&i.big(), &unit));
+        let value: f64 = sum.eval(&points).iter().map(|(c, q)| c * q.sqrt()).sum();
+        let sizes = points.map(|p| p.map(Magnitude::of));
+        let scale: f64 = sum.eval(&sizes).iter().map(|(c, q)| c.0 * q.0.sqrt()).sum();
+        if value == 0.0 { 0.0 } else { value.abs() / scale }
     }
 
     /// The exact residual, rounded to a double within a few units in the last place.

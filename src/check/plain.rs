@@ -1,10 +1,10 @@
 //! The plain ways to decide: exactly in a rational field, or observed in `f64`.
 
 use super::report::Failure;
-use super::residual::{Answer, Decide, Residual, RootSum, defect, sizes};
+use super::residual::{Answer, Decide, Residual, RootSum};
 use super::roots::vanish_over;
 use crate::mesh::VertexId;
-use crate::scalar::{Approx, Magnitude, Ordered, RationalField, Sign};
+use crate::scalar::{Magnitude, Ordered, RationalField, Sign};
 use crate::space::Point;
 
 /// Decides by evaluation in an exact field: the definition that the fast way is held against.
@@ -27,24 +27,55 @@ fn at<T: Clone, const K: usize>(points: &[Point<T>], at: [VertexId; K]) -> [Poin
     at.map(|v| points[v.index()].clone())
 }
 
-fn failure<T: Approx, R: Residual<K>, const K: usize>(
+/// `|value| / scale`; where every term is zero, so is the value.
+fn defect(value: f64, scale: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { value.abs() / scale }
+}
+
+/// The sizes of coordinates, after the first point is moved to the origin if that is allowed.
+fn sizes<T: Ordered, const K: usize>(
+    points: &[Point<T>; K],
+    translates: bool,
+) -> [Point<Magnitude<T>>; K] {
+    let origin =
+        if translates { points[0].clone() } else { Point::new(T::zero(), T::zero(), T::zero()) };
+    std::array::from_fn(|i| {
+        let v = &points[i] - &origin;
+        Point::new(Magnitude::of(&v.x), Magnitude::of(&v.y), Magnitude::of(&v.z))
+    })
+}
+
+fn failure<T: Ordered, R: Residual<K>, const K: usize>(
     condition: &'static str,
     residual: R,
     points: &[Point<T>; K],
+    ratio: impl Fn(&T, &T) -> f64,
 ) -> Failure<T> {
     let value = residual.eval(points, &T::one());
-    let scale = residual.eval(&sizes(points, R::TRANSLATES), &Magnitude(1.0)).0;
-    Failure { condition, defect: defect(value.to_f64(), scale), residual: Some(value) }
+    let scale = residual.eval(&sizes(points, R::TRANSLATES), &Magnitude(T::one())).0;
+    Failure { condition, defect: ratio(&value, &scale), residual: Some(value) }
 }
 
-fn root_failure<T: Approx, const K: usize, const TERMS: usize>(
+fn root_failure<T, const K: usize, const TERMS: usize>(
     condition: &'static str,
     sum: impl RootSum<K, TERMS>,
-    points: &[Point<T>; K],
+    points: &[Point<f64>; K],
 ) -> Failure<T> {
-    let value = sum.eval(points).iter().map(|(c, q)| c.to_f64() * q.to_f64().sqrt()).sum();
+    let value = sum.eval(points).iter().map(|(c, q)| c * q.sqrt()).sum();
     let scale = sum.eval(&sizes(points, true)).iter().map(|(c, q)| c.0 * q.0.sqrt()).sum();
     Failure { condition, defect: defect(value, scale), residual: None }
+}
+
+/// The points moved to the first and scaled so that doubles hold them.
+fn normalised<Q: RationalField, const K: usize>(points: &[Point<Q>; K]) -> [Point<f64>; K] {
+    let moved: [Point<Q>; K] = std::array::from_fn(|i| {
+        let v = &points[i] - &points[0];
+        Point::new(v.x, v.y, v.z)
+    });
+    let sizes = moved.iter().flat_map(|p| p.coordinates()).map(Q::magnitude);
+    let largest = sizes.fold(Q::zero(), |a, b| if b > a { b } else { a });
+    let scale = largest.try_inv().unwrap_or_else(Q::one);
+    moved.map(|p| p.map(|c| (c * &scale).to_f64()))
 }
 
 impl<Q: RationalField> Decide for Plain<'_, Q> {
@@ -86,7 +117,9 @@ impl<Q: RationalField> Decide for Plain<'_, Q> {
         v: [VertexId; K],
         _: bool,
     ) -> Failure<Q> {
-        failure(condition, residual, &at(self.0, v))
+        failure(condition, residual, &at(self.0, v), |value, scale| {
+            value.try_div(scale).map_or(0.0, |d| d.to_f64().abs())
+        })
     }
 
     fn root_failure<const K: usize, const TERMS: usize>(
@@ -95,7 +128,7 @@ impl<Q: RationalField> Decide for Plain<'_, Q> {
         sum: impl RootSum<K, TERMS>,
         v: [VertexId; K],
     ) -> Failure<Q> {
-        root_failure(condition, sum, &at(self.0, v))
+        root_failure(condition, sum, &normalised(&at(self.0, v)))
     }
 }
 
@@ -140,7 +173,7 @@ impl Decide for Observed<'_> {
         v: [VertexId; K],
         _: bool,
     ) -> Failure<f64> {
-        failure(condition, residual, &at(self.points, v))
+        failure(condition, residual, &at(self.points, v), |value, scale| defect(*value, *scale))
     }
 
     fn root_failure<const K: usize, const TERMS: usize>(

@@ -38,8 +38,10 @@ pub enum Reason {
     CollinearFace(FaceId),
     /// The ends of the edge have the same top view.
     IsotropicEdge,
-    /// The top view of the face has area zero or is oriented unlike its neighbours.
+    /// The top view of the face is not strictly convex.
     NotEmbedded(FaceId),
+    /// In the top view both faces lie on the same side of the edge, or one is flat.
+    FoldedEdge,
     /// The top view is no disc with a convex boundary, so that edges alone do not decide.
     NotConvex,
 }
@@ -55,8 +57,9 @@ impl fmt::Display for Reason {
             }
             Reason::IsotropicEdge => write!(f, "the edge is vertical or of length zero"),
             Reason::NotEmbedded(face) => {
-                write!(f, "the top view of face {} is flat or turned over", face.0)
+                write!(f, "the top view of face {} is not strictly convex", face.0)
             }
+            Reason::FoldedEdge => write!(f, "the top view is folded along the edge"),
             Reason::NotConvex => write!(
                 f,
                 "the top view is no disc with a convex boundary here, so that all edges are locally Delaunay and more is not known"

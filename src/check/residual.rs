@@ -4,7 +4,7 @@ use std::fmt::{Debug, Display};
 
 use super::report::Failure;
 use crate::mesh::VertexId;
-use crate::scalar::{Approx, Magnitude, Ring, Sign};
+use crate::scalar::{Ring, Sign};
 use crate::space::Point;
 
 /// A polynomial in the coordinates of `K` points that vanishes where a property holds.
@@ -81,23 +81,4 @@ pub trait Decide: Sync {
         sum: impl RootSum<K, TERMS>,
         at: [VertexId; K],
     ) -> Failure<Self::Value>;
-}
-
-/// `|value| / scale`; where every term is zero, so is the value.
-pub(super) fn defect(value: f64, scale: f64) -> f64 {
-    if value == 0.0 { 0.0 } else { value.abs() / scale }
-}
-
-/// The sizes of coordinates, after the first point is moved to the origin if that is allowed.
-pub(super) fn sizes<T: Approx, const K: usize>(
-    points: &[Point<T>; K],
-    translates: bool,
-) -> [Point<Magnitude>; K] {
-    let origin = &points[0];
-    std::array::from_fn(|i| {
-        let p = &points[i];
-        let size =
-            |a: &T, b: &T| Magnitude(if translates { (a - b).to_f64() } else { a.to_f64() }.abs());
-        Point::new(size(&p.x, &origin.x), size(&p.y, &origin.y), size(&p.z, &origin.z))
-    })
 }

@@ -1,15 +1,15 @@
 //! Delaunay: the top view is a Delaunay triangulation, which is what makes the lift to Σ convex.
 //!
-//! Tested are, exactly: that faces of more than three corners are concyclic; that all faces are
-//! oriented alike in the top view; and at every interior edge that no vertex of the second face
+//! Tested are, exactly: that faces of more than three corners are convex and concyclic; and at every
+//! interior edge that its faces lie on different sides and no vertex of the second face
 //! lies inside the circumcircle of the first (cocircular is allowed). If moreover the mesh is a
 //! disc with a convex boundary, its top view is a triangulation of a convex polygon, and edges
 //! decide. Otherwise it is only *locally* Delaunay, and the boundary is reported as undefined.
 //! Isolated vertices do not count.
 
+use super::Judge;
 use super::i_circular::{self, Concyclic};
 use super::planar::ProjectedArea;
-use super::{Judge, planar};
 use crate::check::{Answer, Decide, Element, Outcome, Reason, Residual};
 use crate::mesh::{FaceId, HalfEdge, Topology, VertexId, VertexKind};
 use crate::scalar::{Ring, Sign};
@@ -40,19 +40,12 @@ fn area<D: Decide>(judge: &Judge<'_, D>, at: [VertexId; 3]) -> Sign {
     judge.decide().sign(ProjectedArea::TopView, at).0
 }
 
-/// The sense of the first face: all others are compared with it.
-fn orientation<D: Decide>(judge: &Judge<'_, D>) -> Sign {
-    let face = judge.topology().face(FaceId(0));
-    planar::triangle(judge.decide(), ProjectedArea::TopView, face)
-        .map_or(Sign::Zero, |at| area(judge, at))
-}
-
 fn face_outcome<D: Decide>(judge: &Judge<'_, D>, face: FaceId) -> Outcome<D::Value> {
     let corners = judge.topology().face(face);
     let n = corners.len();
-    let sense = orientation(judge);
-    let turns = (0..n).map(|i| [corners[i], corners[(i + 1) % n], corners[(i + 2) % n]]);
-    if sense == Sign::Zero || turns.into_iter().any(|at| area(judge, at) != sense) {
+    let turn = |i: usize| area(judge, [corners[i], corners[(i + 1) % n], corners[(i + 2) % n]]);
+    let sense = turn(0);
+    if sense == Sign::Zero || (1..n).any(|i| turn(i) != sense) {
         return Outcome::Undefined(Reason::NotEmbedded(face));
     }
     if n == 3 {
@@ -75,8 +68,7 @@ fn edge_outcome<D: Decide>(judge: &Judge<'_, D>, h: HalfEdge) -> Outcome<D::Valu
     let (left, right) = (apex(h), apex(twin));
     let sense = area(judge, [a, b, left]);
     if sense == Sign::Zero || area(judge, [b, a, right]) != sense {
-        // The faces themselves are reported as not embedded.
-        return Outcome::Trivial;
+        return Outcome::Undefined(Reason::FoldedEdge);
     }
     let at = [a, b, left, right];
     if judge.decide().sign(Concyclic, at).0 != sense {
@@ -99,16 +91,35 @@ fn boundary_outcome<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D::
     let Some(before) = topology.star(v).last().map(|h| topology.origin(topology.prev(h))) else {
         return Outcome::Trivial;
     };
-    let turn = area(judge, [before, v, topology.target(first)]);
-    let sense = orientation(judge);
-    if turn != Sign::Zero && turn != sense {
-        Outcome::Undefined(Reason::NotConvex)
-    } else {
+    let sense = area(judge, [v, topology.target(first), topology.target(topology.next(first))]);
+    if is_convex(judge.decide(), [before, v, topology.target(first)], sense) {
         Outcome::Trivial
+    } else {
+        Outcome::Undefined(Reason::NotConvex)
     }
 }
 
-/// A difference of y: its signs along a closed polygon tell how often it winds.
+/// Whether a polygon turns to the side `sense` at the second point, or goes straight on.
+fn is_convex<D: Decide>(decide: &D, at: [VertexId; 3], sense: Sign) -> bool {
+    match decide.sign(ProjectedArea::TopView, at).0 {
+        Sign::Zero => decide.sign(Onward, at).0 == Sign::Positive,
+        turn => turn == sense,
+    }
+}
+
+/// The inner product of two consecutive edges in the top view: positive if it goes on, not back.
+#[derive(Clone, Copy, Debug)]
+struct Onward;
+
+impl Residual<3> for Onward {
+    const TRANSLATES: bool = true;
+
+    fn eval<R: Ring>(self, [a, b, c]: &[Point<R>; 3], _: &R) -> R {
+        (b - a).top_view().dot(&(c - b).top_view())
+    }
+}
+
+/// A difference of y: its signs along a closed convex polygon tell how often it winds.
 #[derive(Clone, Copy, Debug)]
 struct Rise;
 
@@ -120,7 +131,7 @@ impl Residual<2> for Rise {
     }
 }
 
-/// Whether the mesh is one disc whose boundary winds once: with left turns only it is convex then.
+/// Whether the mesh is one disc, and its boundary, if it turns to one side only, winds once.
 pub(super) fn is_disc<D: Decide>(topology: &Topology, decide: &D) -> bool {
     let loops = topology.boundary_loops();
     let [boundary] = loops.as_slice() else {
@@ -132,6 +143,13 @@ pub(super) fn is_disc<D: Decide>(topology: &Topology, decide: &D) -> bool {
         || topology.euler_characteristic() - isolated as i64 != 1
     {
         return false;
+    }
+    let n = boundary.len();
+    let corners = (0..n).map(|i| [boundary[i], boundary[(i + 1) % n], boundary[(i + 2) % n]]);
+    let one_sided = |sense| corners.clone().all(|at| is_convex(decide, at, sense));
+    if !one_sided(Sign::Positive) && !one_sided(Sign::Negative) {
+        // Reported where it bends the other way.
+        return true;
     }
     let next = boundary.iter().cycle().skip(1);
     let signs: Vec<Sign> = boundary

@@ -1,7 +1,7 @@
 //! Sizes: a formula evaluated with every sign taken positive.
 
-use super::Ring;
 use super::ring::ring_operators;
+use super::{Ordered, Ring};
 
 /// An upper bound of a term in which nothing cancels: `−` counts as `+`.
 ///
@@ -10,28 +10,35 @@ use super::ring::ring_operators;
 ///
 /// ```
 /// use isogeo::scalar::{Magnitude, Ring};
-/// let m = |x: f64| Magnitude(x);
-/// assert_eq!(Magnitude::det2(&m(1.0), &m(2.0), &m(3.0), &m(4.0)), m(10.0)); // 1·4 + 2·3
+/// let m = |x: f64| Magnitude::of(&x);
+/// assert_eq!(Magnitude::det2(&m(1.0), &m(-2.0), &m(3.0), &m(4.0)), m(10.0)); // 1·4 + 2·3
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub struct Magnitude(pub f64);
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Magnitude<T>(pub T);
 
-#[inline]
-fn add(a: &Magnitude, b: &Magnitude) -> Magnitude {
-    Magnitude(a.0 + b.0)
+impl<T: Ordered> Magnitude<T> {
+    /// The size of a number.
+    pub fn of(x: &T) -> Self {
+        Magnitude(x.magnitude())
+    }
 }
 
 #[inline]
-fn multiply(a: &Magnitude, b: &Magnitude) -> Magnitude {
-    Magnitude(a.0 * b.0)
+fn add<T: Ring>(a: &Magnitude<T>, b: &Magnitude<T>) -> Magnitude<T> {
+    Magnitude(&a.0 + &b.0)
 }
 
-ring_operators!([] Magnitude, add, add, multiply, |a: &Magnitude| *a);
+#[inline]
+fn multiply<T: Ring>(a: &Magnitude<T>, b: &Magnitude<T>) -> Magnitude<T> {
+    Magnitude(&a.0 * &b.0)
+}
 
-impl Ring for Magnitude {
-    const EXACT: bool = false;
+ring_operators!([T: Ring] Magnitude<T>, add, add, multiply, |a: &Magnitude<T>| a.clone());
+
+impl<T: Ring> Ring for Magnitude<T> {
+    const EXACT: bool = T::EXACT;
 
     fn from_i64(n: i64) -> Self {
-        Magnitude(n.unsigned_abs() as f64)
+        Magnitude(T::from_i64(n.saturating_abs()))
     }
 }

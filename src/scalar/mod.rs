@@ -32,6 +32,7 @@ pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
 pub use numeral::{Base, Numeral, NumeralError, ReadAs};
 pub use order::{Approx, Ordered, Sign};
+pub(crate) use rational::ratio_to_f64;
 pub use rational::{Rational, RationalField};
 pub use residue::Residue;
 pub use ring::{DivRef, Field, Ring, RingRef, Same, det3};

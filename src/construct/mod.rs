@@ -1,0 +1,23 @@
+//! Floor 5: exact families of meshes.
+
+mod circular_net;
+mod translational_net;
+
+pub use circular_net::circular_net;
+pub use translational_net::translational_net;
+
+use crate::mesh::FaceList;
+
+/// The faces of an `rows × columns` patch of quads, row by row; the vertex in row `i` and column
+/// `j` has index `i (columns + 1) + j`. Faces run counter-clockwise if rows go along x and columns
+/// along y.
+pub fn quad_patch(rows: usize, columns: usize) -> FaceList {
+    let at = |i: usize, j: usize| (i * (columns + 1) + j) as u32;
+    let mut faces = FaceList::new();
+    for i in 0..rows {
+        for j in 0..columns {
+            faces.push([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
+        }
+    }
+    faces
+}

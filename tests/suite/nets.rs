@@ -1,0 +1,407 @@
+//! Classes of mesh: the fast decider against the definition, invariance, boxes, controls.
+
+use isogeo::check::{Decide, Decider, Element, Plain, Reason, Report, Residual, Verdict};
+use isogeo::mesh::{Mesh, VertexId};
+use isogeo::net::i_circular::Concyclic;
+use isogeo::net::i_conical::{Balance, ConcyclicGradients};
+use isogeo::net::planar::Coplanar;
+use isogeo::net::{Net, Property};
+use isogeo::scalar::{Field, Numeral, Ordered, Rational, RationalField, Ring};
+use isogeo::space::Point;
+use proptest::prelude::*;
+
+use crate::meshes::{Q, any_mesh, circular, fraction, relabelled, small, translational};
+
+fn plain(mesh: &Mesh<Q>, property: Property) -> Report<Q> {
+    Net::new(&mesh.topology, &Plain(&mesh.points)).check(property)
+}
+
+fn fast(mesh: &Mesh<Q>, property: Property) -> Report<Rational> {
+    let mesh = mesh.map(Q::convert::<Rational>);
+    Net::new(&mesh.topology, &Decider::of_rationals(&mesh.points)).check(property)
+}
+
+fn verdict(mesh: &Mesh<Q>, property: Property) -> Verdict {
+    fast(mesh, property).verdict()
+}
+
+/// Everything but the choice of the worst element, which is made by rounded numbers.
+type Findings = (Verdict, [usize; 4], Vec<Element>, Vec<(Element, Reason)>);
+
+fn findings<V>(report: &Report<V>) -> Findings {
+    (
+        report.verdict(),
+        [report.checked, report.trivial, report.consistent, report.undecided],
+        report.failures.clone(),
+        report.undefined.clone(),
+    )
+}
+
+fn agree(mesh: &Mesh<Q>) -> Result<(), TestCaseError> {
+    for property in Property::ALL {
+        let (slow, quick) = (plain(mesh, property), fast(mesh, property));
+        prop_assert_eq!(findings(&slow), findings(&quick), "{} on {:?}", property.name(), mesh);
+        if let (Some(a), Some(b)) = (&slow.worst, &quick.worst) {
+            prop_assert!((a.failure.defect - b.failure.defect).abs() <= 1e-9, "{:?} {:?}", a, b);
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 192, ..ProptestConfig::default() })]
+
+    #[test]
+    fn fast_and_plain_agree_among_coincidences(mesh in any_mesh(small())) {
+        agree(&mesh)?;
+    }
+
+    #[test]
+    fn fast_and_plain_agree_in_general(mesh in any_mesh(fraction())) {
+        agree(&mesh)?;
+    }
+
+    #[test]
+    fn fast_and_plain_agree_where_classes_hold(mesh in prop_oneof![translational(), circular()]) {
+        agree(&mesh)?;
+    }
+
+    #[test]
+    fn fast_and_plain_agree_on_huge_and_tiny_numbers(
+        mesh in any_mesh(small()), up in -60i32..60, sideways in -60i32..60,
+    ) {
+        // Beyond any common denominator of 126 bits, up to beyond the range of doubles.
+        let power = |e: i32| {
+            let p = (0..e.abs()).fold(Q::one(), |p, _| p * Q::from_i64(1_000_003));
+            if e < 0 { Q::one() / p } else { p }
+        };
+        let (a, b) = (power(sideways), power(up));
+        let points = mesh.points.iter().map(|p| Point::new(&p.x * &a, &p.y * &a, &p.z * &b)).collect();
+        agree(&Mesh { points, ..mesh })?;
+    }
+
+    #[test]
+    fn translational_nets_have_all_three_properties(mesh in translational()) {
+        for property in [Property::Planar, Property::ICircular, Property::IConical] {
+            prop_assert_eq!(verdict(&mesh, property), Verdict::Proved, "{}", property.name());
+        }
+    }
+
+    #[test]
+    fn cauchy_nets_are_circular_and_their_duals_conical(mesh in circular()) {
+        prop_assert_eq!(verdict(&mesh, Property::Planar), Verdict::Proved);
+        prop_assert_eq!(verdict(&mesh, Property::ICircular), Verdict::Proved);
+    }
+
+    #[test]
+    fn a_moved_vertex_is_found(mesh in circular(), at in any::<prop::sample::Index>(), up in any::<bool>()) {
+        // The control: the smallest disturbance of one coordinate.
+        let i = at.index(mesh.points.len());
+        let mut points = mesh.points.clone();
+        let step = Q::from_ratio(1, 1 << 40);
+        if up { points[i].z += &step } else { points[i].x += &step };
+        let mesh = Mesh { points, ..mesh };
+        let (planar, circular) = (fast(&mesh, Property::Planar), fast(&mesh, Property::ICircular));
+        prop_assert_eq!(circular.verdict(), Verdict::Refuted);
+        if up {
+            prop_assert_eq!(planar.verdict(), Verdict::Refuted);
+            let around = mesh.topology.faces()
+                .filter(|&f| mesh.topology.face(f).iter().any(|v| v.index() == i));
+            prop_assert_eq!(planar.failures.len(), around.count());
+        }
+    }
+
+    #[test]
+    fn verdicts_do_not_depend_on_names(mesh in any_mesh(small()), seed in any::<u64>()) {
+        let other = relabelled(&mesh, seed);
+        for property in Property::ALL {
+            let (a, b) = (fast(&mesh, property), fast(&other, property));
+            prop_assert_eq!(a.verdict(), b.verdict(), "{}", property.name());
+            prop_assert_eq!(a.failures.len(), b.failures.len(), "{}", property.name());
+        }
+    }
+
+    #[test]
+    fn verdicts_are_those_of_isotropic_geometry(
+        mesh in prop_oneof![any_mesh(small()), translational(), circular()],
+        t in small(), shear in [small(), small()], shift in [fraction(), fraction(), fraction()],
+        scale in [1i64..99, 1i64..99], flip in any::<bool>(),
+    ) {
+        let one = Q::one();
+        let n = (&one + t.square()).try_inv().unwrap();
+        let (c, s) = ((&one - t.square()) * &n, (&t + &t) * &n);
+        let (xy, z) = (Q::from_ratio(scale[0], 7), Q::from_ratio(if flip { -scale[1] } else { scale[1] }, 11));
+        let points = mesh.points.iter().map(|p| Point::new(
+            &xy * (&c * &p.x - &s * &p.y) + &shift[0],
+            &xy * (&s * &p.x + &c * &p.y) + &shift[1],
+            &z * &p.z + &shear[0] * &p.x + &shear[1] * &p.y + &shift[2],
+        )).collect();
+        let moved = Mesh { points, ..mesh.clone() };
+        for property in [Property::Planar, Property::ICircular, Property::IConical, Property::Delaunay] {
+            prop_assert_eq!(findings(&fast(&mesh, property)), findings(&fast(&moved, property)), "{}", property.name());
+        }
+    }
+
+    #[test]
+    fn euclidean_verdicts_are_those_of_similarities(mesh in any_mesh(small()), q in [small(), small(), small()]) {
+        // A rational rotation from the quaternion (1, q), and a factor.
+        let [b, c, d] = q;
+        let two = Q::from_i64(2);
+        let n = (Q::one() + b.square() + c.square() + d.square()).try_inv().unwrap() * Q::from_ratio(5, 3);
+        let turn = |p: &Point<Q>| {
+            let (x, y, z) = (&p.x, &p.y, &p.z);
+            let row = |a: Q, b: Q, c: Q| &n * (a * x + b * y + c * z);
+            let one = Q::one();
+            Point::new(
+                row(&one + b.square() - c.square() - d.square(), &two * (&b * &c - &d), &two * (&b * &d + &c)),
+                row(&two * (&b * &c + &d), &one - b.square() + c.square() - d.square(), &two * (&c * &d - &b)),
+                row(&two * (&b * &d - &c), &two * (&c * &d + &b), &one - b.square() - c.square() + d.square()),
+            )
+        };
+        let moved = Mesh { points: mesh.points.iter().map(turn).collect(), ..mesh.clone() };
+        for property in [Property::Circular, Property::Conical] {
+            prop_assert_eq!(findings(&fast(&mesh, property)), findings(&fast(&moved, property)), "{}", property.name());
+        }
+    }
+
+    #[test]
+    fn witnesses_are_exact(mesh in any_mesh(prop_oneof![small(), fraction()]), four in prop::sample::subsequence(vec![0u32, 1, 2, 3], 4).prop_shuffle()) {
+        let at: [VertexId; 4] = std::array::from_fn(|i| VertexId(four[i]));
+        let rational = mesh.map(Q::convert::<Rational>);
+        let (slow, quick) = (Plain(&mesh.points), Decider::of_rationals(&rational.points));
+        let (a, b) = (slow.failure("", Coplanar, at, true), quick.failure("", Coplanar, at, true));
+        prop_assert_eq!(a.residual, b.residual.map(|r| r.convert::<Q>()));
+        let (a, b) = (slow.failure("", Concyclic, at, true), quick.failure("", Concyclic, at, true));
+        prop_assert_eq!(a.residual, b.residual.map(|r| r.convert::<Q>()));
+    }
+
+    #[test]
+    fn the_gradients_have_the_determinant_of_the_balance(points in prop::collection::vec([small(), small(), small()], 9)) {
+        // Theory: in-circle(p₀ … p₃) = w₀ w₁ w₂ w₃ · balance; so both vanish together where no w does.
+        let p: Vec<Point<Q>> = points.into_iter().map(|[x, y, z]| Point::new(x, y, z)).collect();
+        let (v, x) = (&p[0], [&p[1], &p[2], &p[3], &p[4]]);
+        let corner = |i: usize| [v.clone(), x[i].clone(), x[(i + 1) % 4].clone()];
+        let at: Vec<Point<Q>> = (0..4).flat_map(corner).collect();
+        let normal = |i: usize| (x[i] - v).cross(&(x[(i + 1) % 4] - v));
+        let normals: Vec<_> = (0..4).map(normal).collect();
+        prop_assume!(normals.iter().all(|n| !n.z.is_zero()));
+        let gradients = ConcyclicGradients.eval(&at.try_into().unwrap(), &Q::one());
+        let scale = normals.iter().fold(Q::one(), |s, n| s * n.z.square());
+        let balance = Balance.eval(&[v.clone(), x[0].clone(), x[1].clone(), x[2].clone(), x[3].clone()], &Q::one());
+        let gradient = |i: usize| (-&normals[i].x / &normals[i].z, -&normals[i].y / &normals[i].z);
+        let w = (0..4).map(|j| {
+            // p_j − p_{j−1} = w J e_j'.
+            let (p, q, e) = (gradient(j), gradient((j + 3) % 4), (x[j] - v).top_view());
+            let (dx, dy) = (p.0 - q.0, p.1 - q.1);
+            prop_assert!((&dx * &e.x + &dy * &e.y).is_zero());
+            Ok((&dy * &e.x - &dx * &e.y) / e.length2())
+        }).collect::<Result<Vec<_>, _>>()?;
+        let product = w.iter().fold(Q::one(), |s, w| s * w);
+        prop_assert_eq!((gradients / scale).square(), (product * balance).square());
+    }
+}
+
+/// Prints an exact number rounded to `digits` decimals.
+fn printed(x: &Q, digits: u32) -> Numeral {
+    let scale = Q::from_i64(10i64.pow(digits));
+    let n = (x * &scale + Q::from_ratio(1, 2)).floor().to_integer();
+    format!("{n}e-{digits}").parse().expect("a decimal")
+}
+
+fn boxed(mesh: &Mesh<Numeral>, property: Property) -> Verdict {
+    Net::new(&mesh.topology, &Decider::over_boxes(&mesh.points)).check(property).verdict()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
+
+    #[test]
+    fn what_was_exact_before_printing_is_never_refuted(
+        mesh in prop_oneof![translational(), circular()], digits in 1u32..18,
+    ) {
+        // Rigour of the boxes: the exact mesh lies in the box of its printed numbers.
+        let decider_says = |property| {
+            let exact = verdict(&mesh, property);
+            let rounded = boxed(&mesh.map(|x| printed(x, digits)), property);
+            (exact, rounded)
+        };
+        for property in [Property::Planar, Property::ICircular, Property::IConical] {
+            if let (Verdict::Proved, rounded) = decider_says(property) {
+                prop_assert!(rounded != Verdict::Refuted, "{} at {digits} digits", property.name());
+            }
+        }
+    }
+
+    #[test]
+    fn boxes_refute_what_is_further_than_the_digits(mesh in circular(), digits in 4u32..18) {
+        // Moved by 10^6 units of the last digit that is printed, which is far outside the box.
+        let mut points = mesh.points.clone();
+        let middle = points.len() / 2;
+        points[middle].z += &(Q::from_i64(1_000_000) / Q::from_i64(10i64.pow(digits)));
+        let moved = Mesh { points, ..mesh };
+        prop_assert_eq!(boxed(&moved.map(|x| printed(x, digits)), Property::Planar), Verdict::Refuted);
+    }
+
+    #[test]
+    fn boxes_hold_at_their_corners(
+        points in prop::collection::vec([-99i64..99, -99i64..99, -99i64..99], 4), corners in prop::collection::vec(any::<u16>(), 8),
+    ) {
+        // If the box excludes zero, no choice of corners makes the determinant zero or turns it over.
+        let numerals: Vec<Point<Numeral>> = points.iter()
+            .map(|p| Point::new(p[0], p[1], p[2]).map(|c| format!("{c}e-1").parse().unwrap())).collect();
+        let decider = Decider::over_boxes(&numerals);
+        let ids = [0, 1, 2, 3].map(VertexId);
+        let half = Q::from_ratio(1, 20);
+        for choice in corners {
+            let mut bit = 0;
+            let corner: Vec<Point<Q>> = numerals.iter().map(|p| p.map(|c| {
+                bit += 1;
+                let value = c.value::<Q>();
+                if choice >> bit & 1 == 1 { value + &half } else { value - &half }
+            })).collect();
+            let corner: [Point<Q>; 4] = corner.try_into().unwrap();
+            let (sign, certain) = decider.sign(Coplanar, ids);
+            if certain { prop_assert_eq!(Coplanar.eval(&corner, &Q::one()).certain_sign(), Some(sign)); }
+            let (sign, certain) = decider.sign(Concyclic, ids);
+            if certain { prop_assert_eq!(Concyclic.eval(&corner, &Q::one()).certain_sign(), Some(sign)); }
+        }
+    }
+}
+
+fn mesh(points: &[[i64; 3]], faces: &[&[u32]]) -> Mesh<Q> {
+    let mut list = isogeo::mesh::FaceList::new();
+    faces.iter().for_each(|f| list.push(f.iter().copied()));
+    let points =
+        points.iter().map(|p| Point::new(p[0], p[1], p[2]).map(|&c| Q::from_i64(c))).collect();
+    Mesh::new(points, list).unwrap()
+}
+
+#[test]
+fn a_crossed_cyclic_quad_is_circular() {
+    // (13) as a sum of angles fails here, the determinant does not (theory, pitfall 4.4).
+    let crossed = mesh(&[[5, 0, 0], [-5, 0, 0], [0, 5, 0], [0, -5, 0]], &[&[0, 1, 2, 3]]);
+    assert_eq!(verdict(&crossed, Property::ICircular), Verdict::Proved);
+}
+
+#[test]
+fn a_vertical_quad_has_no_i_circle_of_elliptic_type() {
+    let wall = mesh(&[[0, 0, 0], [1, 1, 0], [1, 1, 2], [0, 0, 2]], &[&[0, 1, 2, 3]]);
+    assert_eq!(verdict(&wall, Property::Planar), Verdict::Proved);
+    assert_eq!(verdict(&wall, Property::ICircular), Verdict::Undecided);
+    assert_eq!(verdict(&wall, Property::Circular), Verdict::Proved);
+}
+
+#[test]
+fn triangles_have_nothing_to_check() {
+    let fan = mesh(
+        &[[0, 0, 1], [2, 0, 0], [-1, 2, 0], [-1, -2, 0]],
+        &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 1]],
+    );
+    for property in [
+        Property::Planar,
+        Property::ICircular,
+        Property::IConical,
+        Property::Circular,
+        Property::Conical,
+    ] {
+        assert_eq!(verdict(&fan, property), Verdict::Vacuous, "{}", property.name());
+    }
+}
+
+#[test]
+fn a_pyramid_over_a_square_is_conical_in_both_geometries_and_over_a_kite_in_none() {
+    let square = [[0, 0, 3], [2, 0, 0], [0, 2, 0], [-2, 0, 0], [0, -2, 0]];
+    let faces: [&[u32]; 4] = [&[0, 1, 2], &[0, 2, 3], &[0, 3, 4], &[0, 4, 1]];
+    for property in [Property::IConical, Property::Conical] {
+        assert_eq!(
+            verdict(&mesh(&square, &faces), property),
+            Verdict::Proved,
+            "{}",
+            property.name()
+        );
+        let mut kite = square;
+        kite[1] = [3, 1, 0];
+        assert_eq!(
+            verdict(&mesh(&kite, &faces), property),
+            Verdict::Refuted,
+            "{}",
+            property.name()
+        );
+    }
+}
+
+#[test]
+fn a_right_circular_cone_of_irrational_slopes_is_conical() {
+    // Tangent planes z = 1 − n·x' of one cone, with n from Pythagorean triples: |N| differ in class
+    // from face to face after the planes are cut by z = 0, so roots have to cancel exactly.
+    let n = [(3, 4, 5), (-4, 3, 5), (-5, -12, 13), (12, -5, 13)];
+    let rim: Vec<[Q; 2]> = (0..4)
+        .map(|i| {
+            let (a, b) = (n[(i + 3) % 4], n[i]);
+            let q = |p, d| Q::from_ratio(p, d);
+            // The point of z = 0 on both planes: a·x/|a| = b·x/|b| = 1.
+            let (a, b) = ([q(a.0, a.2), q(a.1, a.2)], [q(b.0, b.2), q(b.1, b.2)]);
+            let det = (&a[0] * &b[1] - &a[1] * &b[0]).try_inv().unwrap();
+            [(&b[1] - &a[1]) * &det, (&a[0] - &b[0]) * &det]
+        })
+        .collect();
+    let zero = Q::zero;
+    let mut points = vec![Point::new(zero(), zero(), Q::one())];
+    points.extend(rim.into_iter().map(|[x, y]| Point::new(x, y, zero())));
+    let mut list = isogeo::mesh::FaceList::new();
+    [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]].into_iter().for_each(|f: [u32; 3]| list.push(f));
+    let cone = Mesh::new(points, list).unwrap();
+    assert_eq!(verdict(&cone, Property::Conical), Verdict::Proved);
+    assert_eq!(verdict(&cone, Property::IConical), Verdict::Proved);
+}
+
+#[test]
+fn the_lift_of_a_grid_is_inscribed_and_its_tangent_planes_circumscribed() {
+    let lift = |x: i64, y: i64| {
+        Point::new(Q::from_i64(x), Q::from_i64(y), Q::from_ratio(x * x + y * y, 2))
+    };
+    let points: Vec<_> = (0..3).flat_map(|x| (0..3).map(move |y| lift(x, y))).collect();
+    let grid = Mesh::new(points.clone(), isogeo::construct::quad_patch(2, 2)).unwrap();
+    assert_eq!(verdict(&grid, Property::Inscribed), Verdict::Proved);
+    assert_eq!(verdict(&grid, Property::Delaunay), Verdict::Proved);
+    assert_eq!(verdict(&grid, Property::Midscribed), Verdict::Refuted);
+    // Koebe: vertex circles of radius 1/2 touch; lift at (|x|² − r²)/2.
+    let koebe = points
+        .iter()
+        .map(|p| Point::new(p.x.clone(), p.y.clone(), &p.z - Q::from_ratio(1, 8)))
+        .collect();
+    let koebe = Mesh { points: koebe, ..grid.clone() };
+    assert_eq!(verdict(&koebe, Property::Midscribed), Verdict::Proved);
+    // The square (±1, ±1) at height 1 with apex below: faces touch Σ at (±1, 0), (0, ±1).
+    let tangent = mesh(
+        &[[0, 0, -1], [2, 2, 1], [-2, 2, 1], [-2, -2, 1], [2, -2, 1]],
+        &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 4], &[0, 4, 1]],
+    );
+    let halves = tangent
+        .points
+        .iter()
+        .map(|p| Point::new(&p.x / Q::from_i64(2), &p.y / Q::from_i64(2), &p.z / Q::from_i64(2)))
+        .collect();
+    let halves = Mesh { points: halves, ..tangent };
+    assert_eq!(verdict(&halves, Property::Circumscribed), Verdict::Proved);
+}
+
+#[test]
+fn delaunay_is_refuted_by_one_flipped_edge_and_local_at_a_reflex_boundary() {
+    let points = [[0, 0, 0], [4, 0, 0], [5, 3, 0], [0, 3, 0]];
+    let good = mesh(&points, &[&[0, 1, 3], &[1, 2, 3]]);
+    let bad = mesh(&points, &[&[0, 1, 2], &[0, 2, 3]]);
+    assert_eq!(verdict(&good, Property::Delaunay), Verdict::Proved);
+    assert_eq!(verdict(&bad, Property::Delaunay), Verdict::Refuted);
+    // An L-shape: all edges locally Delaunay, but the hull is not covered.
+    let l = mesh(&[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]], &[&[0, 1, 2], &[0, 2, 3]]);
+    assert_eq!(verdict(&l, Property::Delaunay), Verdict::Undecided);
+}
+
+#[test]
+fn the_witness_is_exact() {
+    let bent = mesh(&[[0, 0, 0], [3, 0, 0], [3, 2, 0], [0, 2, 7]], &[&[0, 1, 2, 3]]);
+    let worst = fast(&bent, Property::Planar).worst.unwrap();
+    assert_eq!(worst.failure.residual, Some(Rational::from_i64(42)));
+    assert_eq!(worst.failure.defect, 1.0);
+}
