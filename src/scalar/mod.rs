@@ -22,7 +22,7 @@ mod numeral;
 mod order;
 mod rational;
 mod residue;
-mod ring;
+pub(crate) mod ring;
 
 pub use ball::{Ball, Midpoint};
 pub use magnitude::Magnitude;
