@@ -1,4 +1,4 @@
-//! What i-motions do to the objects of space.
+//! How transformations act on the objects of space; what i-motions do to each of them.
 
 use super::{
     Circle, ContactElement, CylindricalSphere, Gradient, Hessian, ICircle, IsotropicPlane, Jet2,
@@ -9,10 +9,59 @@ use crate::scalar::{Field, Ring};
 
 /// A transformation of space that maps each `X` to an `X`.
 ///
-/// The images fit: a point on a plane is mapped to a point on the image of the plane.
+/// The images fit: a point on a plane is mapped to a point on the image of the plane. A `Vector2`
+/// counts as a difference of top views; differences of gradients follow their gradients.
+///
+/// ```
+/// use isogeo::space::{Gradient, Plane, Point, Scaling, Transform};
+/// let steeper = Scaling::new(1.0, 3.0)?;
+/// let plane = Plane::new(Gradient::new(1.0, 0.0), 2.0);
+/// assert_eq!(steeper.apply(&plane), Plane::new(Gradient::new(3.0, 0.0), 6.0));
+/// assert_eq!(steeper.apply(&Point::new(1.0, 0.0, 3.0)), Point::new(1.0, 0.0, 9.0));
+/// # Ok::<(), isogeo::space::SpaceError>(())
+/// ```
+///
+/// Objects made of others follow from their parts, for every transformation.
 pub trait Transform<X> {
     /// The image.
     fn apply(&self, object: &X) -> X;
+}
+
+impl<T, G: Transform<Point<T>> + Transform<Gradient<T>>> Transform<ContactElement<T>> for G {
+    fn apply(&self, element: &ContactElement<T>) -> ContactElement<T> {
+        ContactElement::new(self.apply(&element.point), self.apply(&element.gradient))
+    }
+}
+
+impl<T, G: Transform<ContactElement<T>> + Transform<Hessian<T>>> Transform<Jet2<T>> for G {
+    fn apply(&self, jet: &Jet2<T>) -> Jet2<T> {
+        Jet2 { contact: self.apply(&jet.contact), hessian: self.apply(&jet.hessian) }
+    }
+}
+
+impl<T, G: Transform<TopView<T>> + Transform<Vector2<T>>> Transform<IsotropicPlane<T>> for G {
+    /// Origin and direction are mapped, so that parameters stay.
+    fn apply(&self, plane: &IsotropicPlane<T>) -> IsotropicPlane<T> {
+        IsotropicPlane::over(self.apply(plane.origin()), self.apply(plane.direction()))
+    }
+}
+
+impl<T, G: Transform<Plane<T>> + Transform<Circle<T>>> Transform<ICircle<T>> for G {
+    fn apply(&self, circle: &ICircle<T>) -> ICircle<T> {
+        ICircle { plane: self.apply(&circle.plane), top_view: self.apply(&circle.top_view) }
+    }
+}
+
+impl<T, G: Transform<MoebiusSphere<T>>> Transform<ParabolicSphere<T>> for G {
+    fn apply(&self, sphere: &ParabolicSphere<T>) -> ParabolicSphere<T> {
+        ParabolicSphere(self.apply(&sphere.0))
+    }
+}
+
+impl<T, G: Transform<Circle<T>>> Transform<CylindricalSphere<T>> for G {
+    fn apply(&self, sphere: &CylindricalSphere<T>) -> CylindricalSphere<T> {
+        CylindricalSphere(self.apply(&sphere.0))
+    }
 }
 
 impl<T: Ring> Transform<Vector2<T>> for Motion<T> {
@@ -67,19 +116,6 @@ impl<T: Ring> Transform<Plane<T>> for Motion<T> {
     }
 }
 
-impl<T: Ring> Transform<IsotropicPlane<T>> for Motion<T> {
-    /// Origin and direction are mapped, so that parameters stay.
-    fn apply(&self, plane: &IsotropicPlane<T>) -> IsotropicPlane<T> {
-        IsotropicPlane::over(self.apply(plane.origin()), self.apply(plane.direction()))
-    }
-}
-
-impl<T: Ring> Transform<ContactElement<T>> for Motion<T> {
-    fn apply(&self, element: &ContactElement<T>) -> ContactElement<T> {
-        ContactElement::new(self.apply(&element.point), self.apply(&element.gradient))
-    }
-}
-
 impl<T: Field> Transform<MoebiusSphere<T>> for Motion<T> {
     /// `A` stays; `(A/2)|x'|²` becomes `(A/2)|x' − (a, b)|²`.
     fn apply(&self, sphere: &MoebiusSphere<T>) -> MoebiusSphere<T> {
@@ -95,27 +131,9 @@ impl<T: Field> Transform<MoebiusSphere<T>> for Motion<T> {
     }
 }
 
-impl<T: Field> Transform<ParabolicSphere<T>> for Motion<T> {
-    fn apply(&self, sphere: &ParabolicSphere<T>) -> ParabolicSphere<T> {
-        ParabolicSphere(self.apply(&sphere.0))
-    }
-}
-
 impl<T: Ring> Transform<Circle<T>> for Motion<T> {
     fn apply(&self, circle: &Circle<T>) -> Circle<T> {
         Circle::new(self.apply(&circle.centre), circle.radius2.clone())
-    }
-}
-
-impl<T: Ring> Transform<CylindricalSphere<T>> for Motion<T> {
-    fn apply(&self, sphere: &CylindricalSphere<T>) -> CylindricalSphere<T> {
-        CylindricalSphere(self.apply(&sphere.0))
-    }
-}
-
-impl<T: Ring> Transform<ICircle<T>> for Motion<T> {
-    fn apply(&self, circle: &ICircle<T>) -> ICircle<T> {
-        ICircle { plane: self.apply(&circle.plane), top_view: self.apply(&circle.top_view) }
     }
 }
 
@@ -137,12 +155,6 @@ impl<T: Ring> Transform<Hessian<T>> for Motion<T> {
         let (first, second) =
             (image(Vector2::new(T::one(), T::zero())), image(Vector2::new(T::zero(), T::one())));
         Hessian { xx: first.x, xy: first.y, yy: second.y }
-    }
-}
-
-impl<T: Ring> Transform<Jet2<T>> for Motion<T> {
-    fn apply(&self, jet: &Jet2<T>) -> Jet2<T> {
-        Jet2 { contact: self.apply(&jet.contact), hessian: self.apply(&jet.hessian) }
     }
 }
 

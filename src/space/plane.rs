@@ -104,6 +104,16 @@ impl<T> IsotropicPlane<T> {
     pub(super) const fn over(origin: TopView<T>, direction: Vector2<T>) -> Self {
         IsotropicPlane { origin, direction }
     }
+
+    /// The top view with parameter 0.
+    pub const fn origin(&self) -> &TopView<T> {
+        &self.origin
+    }
+
+    /// The direction of the line; not the zero vector.
+    pub const fn direction(&self) -> &Vector2<T> {
+        &self.direction
+    }
 }
 
 impl<T: Ring> IsotropicPlane<T> {
@@ -124,16 +134,6 @@ impl<T: Ring> IsotropicPlane<T> {
     /// [`SpaceError::ZeroDirection`] if they agree.
     pub fn through(a: &TopView<T>, b: &TopView<T>) -> Result<Self, SpaceError> {
         IsotropicPlane::new(a.clone(), b - a)
-    }
-
-    /// The top view with parameter 0.
-    pub fn origin(&self) -> &TopView<T> {
-        &self.origin
-    }
-
-    /// The direction of the line; not the zero vector.
-    pub fn direction(&self) -> &Vector2<T> {
-        &self.direction
     }
 
     /// The top view `origin + u·direction`.

@@ -27,7 +27,7 @@ pub struct Point<T> {
     pub z: T,
 }
 
-/// A difference of two top views.
+/// A difference of two top views, or of two gradients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Vector2<T> {
     /// First coordinate.

@@ -1,9 +1,8 @@
 //! Scalings: the similarities beyond i-motions.
 
 use super::{
-    Circle, ContactElement, CylindricalSphere, Gradient, Hessian, ICircle, IsotropicPlane, Jet2,
-    MoebiusSphere, ParabolicCircle, ParabolicSphere, Plane, Point, SpaceError, TopView, Transform,
-    Vector2, Vector3,
+    Circle, Gradient, Hessian, MoebiusSphere, ParabolicCircle, Plane, Point, SpaceError, TopView,
+    Transform, Vector2, Vector3,
 };
 use crate::scalar::Field;
 
@@ -111,46 +110,15 @@ impl<T: Field> Transform<Plane<T>> for Scaling<T> {
     }
 }
 
-impl<T: Field> Transform<IsotropicPlane<T>> for Scaling<T> {
-    /// Origin and direction are mapped, so that parameters stay.
-    fn apply(&self, plane: &IsotropicPlane<T>) -> IsotropicPlane<T> {
-        IsotropicPlane::over(self.apply(plane.origin()), self.apply(plane.direction()))
-    }
-}
-
-impl<T: Field> Transform<ContactElement<T>> for Scaling<T> {
-    fn apply(&self, element: &ContactElement<T>) -> ContactElement<T> {
-        ContactElement::new(self.apply(&element.point), self.apply(&element.gradient))
-    }
-}
-
 impl<T: Field> Transform<MoebiusSphere<T>> for Scaling<T> {
     fn apply(&self, sphere: &MoebiusSphere<T>) -> MoebiusSphere<T> {
         MoebiusSphere { a: &sphere.a * &self.curvature, plane: self.apply(&sphere.plane) }
     }
 }
 
-impl<T: Field> Transform<ParabolicSphere<T>> for Scaling<T> {
-    fn apply(&self, sphere: &ParabolicSphere<T>) -> ParabolicSphere<T> {
-        ParabolicSphere(self.apply(&sphere.0))
-    }
-}
-
 impl<T: Field> Transform<Circle<T>> for Scaling<T> {
     fn apply(&self, circle: &Circle<T>) -> Circle<T> {
         Circle::new(self.apply(&circle.centre), &circle.radius2 * self.horizontal.square())
-    }
-}
-
-impl<T: Field> Transform<CylindricalSphere<T>> for Scaling<T> {
-    fn apply(&self, sphere: &CylindricalSphere<T>) -> CylindricalSphere<T> {
-        CylindricalSphere(self.apply(&sphere.0))
-    }
-}
-
-impl<T: Field> Transform<ICircle<T>> for Scaling<T> {
-    fn apply(&self, circle: &ICircle<T>) -> ICircle<T> {
-        ICircle { plane: self.apply(&circle.plane), top_view: self.apply(&circle.top_view) }
     }
 }
 
@@ -168,11 +136,5 @@ impl<T: Field> Transform<ParabolicCircle<T>> for Scaling<T> {
 impl<T: Field> Transform<Hessian<T>> for Scaling<T> {
     fn apply(&self, hessian: &Hessian<T>) -> Hessian<T> {
         hessian.scaled(&self.curvature)
-    }
-}
-
-impl<T: Field> Transform<Jet2<T>> for Scaling<T> {
-    fn apply(&self, jet: &Jet2<T>) -> Jet2<T> {
-        Jet2 { contact: self.apply(&jet.contact), hessian: self.apply(&jet.hessian) }
     }
 }
