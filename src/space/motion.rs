@@ -84,7 +84,7 @@ impl<T: Field> Rotation<T> {
 }
 
 impl Rotation<f64> {
-    /// The rotation by an angle in radians.
+    /// The rotation by an angle in radians, counter-clockwise; `c² + s² = 1` up to rounding.
     pub fn by_angle(angle: f64) -> Self {
         Rotation { c: angle.cos(), s: angle.sin() }
     }

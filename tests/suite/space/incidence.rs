@@ -12,6 +12,7 @@ laws! {
     isotropic_sections_are_parabolas
     tangent_planes_meet_spheres_in_a_point
     parabolas_do_not_depend_on_the_parameter
+    every_point_of_its_axis_is_centre_of_a_cylinder
 }
 
 fn a_plane_contains_its_three_points<Q: RationalField>(draw: &mut Draw<Q>) -> Verdict {
@@ -39,7 +40,8 @@ fn plane_sections_are_i_circles<Q: RationalField>(draw: &mut Draw<Q>) -> Verdict
     let power = section.top_view.power(&point.top_view());
     prop_assert_eq!(sphere.residual(&point), -(&sphere.a * power));
     prop_assert!(plane.contains(&section.centre()));
-    prop_assert_eq!(section.residuals(&point)[0].clone(), Q::zero());
+    let from_centre = point.i_distance2(&section.centre()) - &section.top_view.radius2;
+    prop_assert_eq!(section.residuals(&point), [Q::zero(), from_centre]);
 
     section.top_view.radius2 += &Q::one();
     let power = section.top_view.power(&point.top_view());
@@ -90,6 +92,17 @@ fn parabolas_do_not_depend_on_the_parameter<Q: RationalField>(draw: &mut Draw<Q>
     let (slope, height) = (parabola.slope().clone(), parabola.height() + Q::one());
     let lifted = ParabolicCircle::new(line, sphere.a.clone(), slope, height).unwrap();
     prop_assert_ne!(parabola, lifted);
+    Ok(())
+}
+
+fn every_point_of_its_axis_is_centre_of_a_cylinder<Q: RationalField>(d: &mut Draw<Q>) -> Verdict {
+    let (cylinder, point) = (d.cylinder(), d.point());
+    let Circle { centre, radius2 } = cylinder.top_view();
+    let mut on_axis = centre.at_height(d.number());
+    prop_assert_eq!(cylinder.residual(&point), point.i_distance2(&on_axis) - radius2);
+    // d + d² + 2 is neither d nor −d.
+    on_axis.x += &((&on_axis.x - &point.x).square() + Q::from_i64(2));
+    prop_assert_ne!(cylinder.residual(&point), point.i_distance2(&on_axis) - radius2);
     Ok(())
 }
 
