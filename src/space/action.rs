@@ -21,7 +21,8 @@ use crate::scalar::{Field, Ring};
 /// # Ok::<(), isogeo::space::SpaceError>(())
 /// ```
 ///
-/// Objects made of others follow from their parts, for every transformation.
+/// Objects made of others follow from their parts, for every transformation. An implementation must
+/// therefore be a bijection: `A ≠ 0` of a sphere and `r² ≠ 0` of a cylinder have to stay.
 pub trait Transform<X> {
     /// The image.
     fn apply(&self, object: &X) -> X;
