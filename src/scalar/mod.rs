@@ -23,7 +23,7 @@ mod numeral;
 mod order;
 mod rational;
 mod residue;
-mod ring;
+pub(crate) mod ring;
 mod variation;
 
 pub use ball::{Ball, Midpoint};

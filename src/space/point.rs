@@ -1,6 +1,6 @@
 //! Points of isotropic space and their top views.
 
-use std::ops::{Add, Sub};
+use std::ops::{Add, Neg, Sub};
 
 use crate::scalar::{Ring, det3};
 
@@ -27,7 +27,7 @@ pub struct Point<T> {
     pub z: T,
 }
 
-/// A difference of two top views.
+/// A difference of two top views, or of two gradients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Vector2<T> {
     /// First coordinate.
@@ -89,6 +89,11 @@ impl<T: Ring> TopView<T> {
         self.x.square() + self.y.square()
     }
 
+    /// The position vector: from the origin to this top view.
+    pub fn position(&self) -> Vector2<T> {
+        Vector2 { x: self.x.clone(), y: self.y.clone() }
+    }
+
     /// The point over this top view at height `z`.
     pub fn at_height(&self, z: T) -> Point<T> {
         Point { x: self.x.clone(), y: self.y.clone(), z }
@@ -116,7 +121,26 @@ impl<T: Ring> Point<T> {
     }
 }
 
+impl<T> Vector2<T> {
+    /// The vector `(x, y)`.
+    pub const fn new(x: T, y: T) -> Self {
+        Vector2 { x, y }
+    }
+}
+
+impl<T> Vector3<T> {
+    /// The vector `(x, y, z)`.
+    pub const fn new(x: T, y: T, z: T) -> Self {
+        Vector3 { x, y, z }
+    }
+}
+
 impl<T: Ring> Vector2<T> {
+    /// The multiple `factor · v`.
+    pub fn scaled(&self, factor: &T) -> Self {
+        Vector2 { x: &self.x * factor, y: &self.y * factor }
+    }
+
     /// The squared Euclidean length.
     pub fn length2(&self) -> T {
         self.x.square() + self.y.square()
@@ -180,6 +204,20 @@ impl<T: Ring> Add<&Vector2<T>> for &TopView<T> {
     type Output = TopView<T>;
     fn add(self, v: &Vector2<T>) -> TopView<T> {
         TopView { x: &self.x + &v.x, y: &self.y + &v.y }
+    }
+}
+
+impl<T: Ring> Add for &Vector2<T> {
+    type Output = Vector2<T>;
+    fn add(self, other: Self) -> Vector2<T> {
+        Vector2 { x: &self.x + &other.x, y: &self.y + &other.y }
+    }
+}
+
+impl<T: Ring> Neg for &Vector2<T> {
+    type Output = Vector2<T>;
+    fn neg(self) -> Vector2<T> {
+        Vector2 { x: -&self.x, y: -&self.y }
     }
 }
 
