@@ -1,6 +1,7 @@
 //! Floor 2: meshes — combinatorics without coordinates, data on elements, files.
 
 mod dual;
+pub mod file;
 mod topology;
 
 use std::collections::BTreeMap;
