@@ -1,3 +1,7 @@
 //! The `isogeo` command.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    isogeo::cli::main()
+}

@@ -1,9 +1,11 @@
 //! Floor 5: exact families of meshes.
 
 mod circular_net;
+mod metric_dual;
 mod translational_net;
 
 pub use circular_net::circular_net;
+pub use metric_dual::{NoDual, face_plane, metric_dual};
 pub use translational_net::translational_net;
 
 use crate::mesh::FaceList;

@@ -6,7 +6,7 @@ mod topology;
 
 use std::collections::BTreeMap;
 
-use crate::space::Point;
+use crate::space::{Point, Transform};
 
 pub use dual::DualTopology;
 pub use topology::{FaceId, FaceList, HalfEdge, Topology, TopologyError, VertexId, VertexKind};
@@ -65,5 +65,14 @@ impl<T> Mesh<T> {
             points: self.points.iter().map(|p| p.map(&f)).collect(),
             data: self.data.map(&f),
         }
+    }
+}
+
+/// Whatever transforms points transforms meshes, vertex by vertex; values on elements are kept as
+/// they are.
+impl<T: Clone, G: Transform<Point<T>>> Transform<Mesh<T>> for G {
+    fn apply(&self, mesh: &Mesh<T>) -> Mesh<T> {
+        let points = mesh.points.iter().map(|p| self.apply(p)).collect();
+        Mesh { topology: mesh.topology.clone(), points, data: mesh.data.clone() }
     }
 }

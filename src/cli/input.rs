@@ -1,0 +1,71 @@
+//! Reading the mesh that a command is about.
+
+use super::arguments::InputOptions;
+use super::failure::Failure;
+use super::output;
+use crate::check::Decider;
+use crate::mesh::file::{self, Coordinates, MeshFile};
+use crate::mesh::{Mesh, Topology};
+use crate::scalar::{Numeral, Rational, ReadAs};
+
+/// A mesh file and the reading of its numbers.
+pub struct Input {
+    /// The file.
+    pub file: MeshFile,
+    /// How its numbers are understood.
+    pub read_as: ReadAs,
+}
+
+/// Reads the file that the options name.
+pub fn read(options: &InputOptions) -> Result<Input, Failure> {
+    let bytes = std::fs::metadata(&options.mesh).map_or(0, |m| m.len() as usize);
+    let bar = output::progress(bytes / 50, "reading");
+    let mut file = file::read(&options.mesh)?;
+    bar.finish_and_clear();
+    let read_as = options.read_as.map_or(file.default_reading(), ReadAs::from);
+    if read_as == ReadAs::Double {
+        file.coordinates = doubles(&file)?;
+    }
+    Ok(Input { file, read_as })
+}
+
+/// Every number replaced by its nearest double.
+fn doubles(file: &MeshFile) -> Result<Coordinates, Failure> {
+    let Coordinates::Numerals(mesh) = &file.coordinates else {
+        return Ok(file.coordinates.clone());
+    };
+    let double = |x: &Numeral| Numeral::from_f64(x.nearest_f64());
+    for (vertex, point) in mesh.points.iter().enumerate() {
+        if point.coordinates().iter().any(|c| double(c).is_none()) {
+            return Err(Failure::usage(format!(
+                "{}: a coordinate of vertex {vertex} is beyond the range of doubles",
+                file.name
+            )));
+        }
+    }
+    Ok(Coordinates::Numerals(mesh.map(|x| double(x).unwrap_or_else(|| Numeral::from_i64(0)))))
+}
+
+impl Input {
+    /// The combinatorics.
+    pub fn topology(&self) -> &Topology {
+        self.file.topology()
+    }
+
+    /// The mesh in exact numbers; a rounded number is taken as it is printed.
+    pub fn exact(&self) -> Mesh<Rational> {
+        match &self.file.coordinates {
+            Coordinates::Numerals(mesh) => mesh.map(Numeral::value),
+            Coordinates::Rationals(mesh) => mesh.clone(),
+        }
+    }
+
+    /// The way to decide on the points of the mesh in this reading.
+    pub fn decider(&self) -> Decider<'_> {
+        match (&self.file.coordinates, self.read_as) {
+            (Coordinates::Rationals(mesh), _) => Decider::of_rationals(&mesh.points),
+            (Coordinates::Numerals(mesh), ReadAs::Rounded) => Decider::over_boxes(&mesh.points),
+            (Coordinates::Numerals(mesh), _) => Decider::new(&mesh.points),
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! Floor 9: the command line. Parse, one call of the library, print, exit code; no geometry.
+
+mod arguments;
+mod check;
+mod convert;
+mod dual;
+mod failure;
+mod info;
+mod input;
+mod motion;
+mod output;
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser};
+
+use arguments::{Arguments, Command, Layout};
+use failure::Failure;
+
+/// What a command found, as an exit code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Status {
+    /// Everything asked for is proved.
+    Proved,
+    /// Something is refuted.
+    Refuted,
+    /// The input or the usage is wrong.
+    BadInput,
+    /// Nothing refuted, but not everything proved.
+    Open,
+}
+
+impl From<Status> for ExitCode {
+    fn from(status: Status) -> ExitCode {
+        ExitCode::from(match status {
+            Status::Proved => 0,
+            Status::Refuted => 1,
+            Status::BadInput => 2,
+            Status::Open => 3,
+        })
+    }
+}
+
+const FIRST_STEPS: &str = "\
+isogeo checks discrete surfaces in isotropic geometry, exactly.
+
+  isogeo check roof.obj                      what the mesh is, with a verdict for every property
+  isogeo check roof.obj --is planar          exit code 0 only if that is proved
+  isogeo info roof.obj                       counts, valences, boundary, digits
+
+`isogeo --help` lists all commands, `isogeo COMMAND --help` explains one with an example.
+";
+
+/// Runs the program on the arguments of the process.
+pub fn main() -> ExitCode {
+    if std::env::args_os().len() <= 1 {
+        output::print(FIRST_STEPS);
+        return Status::BadInput.into();
+    }
+    let arguments = Arguments::parse();
+    let layout = arguments.format;
+    match run(arguments) {
+        Ok(status) => status.into(),
+        Err(failure) => {
+            failure.print(layout);
+            Status::BadInput.into()
+        }
+    }
+}
+
+fn run(arguments: Arguments) -> Result<Status, Failure> {
+    let layout = arguments.format;
+    match arguments.command {
+        Command::Check(options) => check::run(&options, layout),
+        Command::Info(options) => info::run(&options, layout),
+        Command::Convert(options) => convert::run(&options, layout),
+        Command::Dual(options) => dual::run(&options, layout),
+        Command::Move(options) => motion::run(&options, layout),
+        Command::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Arguments::command(), "isogeo", &mut script);
+            output::print_bytes(&script);
+            Ok(Status::Proved)
+        }
+        Command::Man => {
+            output::print_bytes(&manual()?);
+            Ok(Status::Proved)
+        }
+    }
+}
+
+/// The manual page, one section for each command.
+fn manual() -> Result<Vec<u8>, Failure> {
+    let mut command = Arguments::command();
+    command.build();
+    let mut page = Vec::new();
+    let render = |command: clap::Command, page: &mut Vec<u8>| {
+        clap_mangen::Man::new(command).render(page).map_err(|e| Failure::usage(e.to_string()))
+    };
+    render(command.clone(), &mut page)?;
+    for sub in command.get_subcommands().filter(|c| c.get_name() != "help") {
+        render(sub.clone(), &mut page)?;
+    }
+    Ok(page)
+}
+
+/// The layout of reports.
+impl Layout {
+    fn is_json(self) -> bool {
+        self == Layout::Json
+    }
+}
