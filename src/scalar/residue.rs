@@ -17,6 +17,7 @@ impl<const W: usize> Residue<W> {
     /// The residue of an `i128`.
     #[inline]
     pub fn from_i128(n: i128) -> Self {
+        const { assert!(W > 0, "a residue has at least one word") };
         let fill = if n < 0 { u64::MAX } else { 0 };
         let mut words = [fill; W];
         words[0] = n as u64;
