@@ -44,8 +44,8 @@ fn integers_round_as_casts_do() -> Result<(), String> {
     })
 }
 
-/// Found: a quotient was truncated, and a subnormal result rounded twice: this lies just above the
-/// middle of the two least doubles and went down.
+/// Found: a quotient was truncated, and a subnormal result rounded once more: what lies just above
+/// the middle of the two least doubles went down.
 #[test]
 fn a_subnormal_number_is_rounded_once() {
     let above: Numeral = "2.4703282292062327208828439643411068618253e-324".parse().expect("one");
@@ -57,11 +57,10 @@ fn a_subnormal_number_is_rounded_once() {
     assert_eq!((&x * BigRational::from_ratio(3, 1)).to_f64(), f64::from_bits(2));
 }
 
-/// Found: the integer `2^65 + 2^12 + 1` lies above the middle of two doubles; the rounding of its
-/// lowest word and that of the sum together took it down.
+/// Found: the lowest word of a quotient was rounded, and then the sum of the words once more.
 #[test]
 fn an_integer_of_two_words_is_rounded_once() {
-    let n = (1i128 << 65) + (1 << 12) + 1;
+    let n = 624_099_614_113_043_964_724_483_956_985_036_800i128;
     assert_eq!(BigInt::from(n).to_f64(), n as f64);
 }
 
