@@ -1,6 +1,8 @@
 //! Dual numbers against derivatives found another way.
 
-use isogeo::scalar::{BigInt, BigRational, Dual, Field, Rational, RationalField, Ring};
+use isogeo::scalar::{
+    BigInt, BigRational, Dual, Field, Magnitude, Numeral, Rational, RationalField, Ring,
+};
 use proptest::array::{uniform2, uniform4};
 use proptest::collection::vec;
 
@@ -41,8 +43,10 @@ fn the_gradient_is_the_rounded_difference_quotient() -> Result<(), String> {
         let value = f.polynomial(&at.map(BigRational::from_i64));
         equal("the value", gradient.value.clone(), value.numerator())?;
         // Σ |cₖ| is at most the sum of all |terms| at |x| + 1.
-        let bound = f.polynomial(&at.map(|x| Size(BigInt::from(x.abs() + 1)))).0;
-        let h = BigRational::from_fraction(1.into(), bound * 4 + 1).expect("not over 0");
+        let bound = f.polynomial(&at.map(|x| Magnitude(x.abs() as f64 + 1.0))).0;
+        let bound: BigRational = Numeral::from_f64(bound).expect("far from overflow").value();
+        // Twice what is needed makes up for the rounding of the bound.
+        let h = (bound * BigRational::from_i64(8) + BigRational::one()).recip();
         for i in 0..VARIABLES {
             let mut moved = at.map(BigRational::from_i64);
             moved[i] += &h;
@@ -55,67 +59,6 @@ fn the_gradient_is_the_rounded_difference_quotient() -> Result<(), String> {
         }
         Ok(())
     })
-}
-
-/// The sum of the absolute values of all terms: an integer for which `−` means `+`.
-use sizes::Size;
-mod sizes {
-    use isogeo::scalar::{BigInt, Ring};
-    use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
-
-    #[derive(Clone, Debug, PartialEq)]
-    pub struct Size(pub BigInt);
-
-    macro_rules! forms {
-        ($($Trait:ident $method:ident $op:tt;)+) => {$(
-            impl $Trait for Size {
-                type Output = Size;
-                fn $method(self, other: Size) -> Size { Size(self.0 $op other.0) }
-            }
-            impl $Trait<&Size> for Size {
-                type Output = Size;
-                fn $method(self, other: &Size) -> Size { Size(self.0 $op &other.0) }
-            }
-            impl $Trait<Size> for &Size {
-                type Output = Size;
-                fn $method(self, other: Size) -> Size { Size(&self.0 $op other.0) }
-            }
-            impl $Trait for &Size {
-                type Output = Size;
-                fn $method(self, other: &Size) -> Size { Size(&self.0 $op &other.0) }
-            }
-        )+};
-    }
-    forms! { Add add +; Sub sub +; Mul mul *; }
-
-    impl Neg for Size {
-        type Output = Size;
-        fn neg(self) -> Size {
-            self
-        }
-    }
-    impl Neg for &Size {
-        type Output = Size;
-        fn neg(self) -> Size {
-            self.clone()
-        }
-    }
-    impl AddAssign<&Size> for Size {
-        fn add_assign(&mut self, other: &Size) {
-            self.0 += &other.0;
-        }
-    }
-    impl SubAssign<&Size> for Size {
-        fn sub_assign(&mut self, other: &Size) {
-            self.0 += &other.0;
-        }
-    }
-    impl Ring for Size {
-        const EXACT: bool = true;
-        fn from_i64(n: i64) -> Size {
-            Size(n.unsigned_abs().into())
-        }
-    }
 }
 
 #[test]
