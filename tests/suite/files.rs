@@ -449,6 +449,9 @@ fn refused_iso_json() {
         with("\"faces\":[[0,1,2]],\n\"data\":{\"face\":{\"K\":[\"1\",\"2\"]}}"),
         with("\"faces\":[],\"data\":{\"vertex\":{\"K\":[],\"K\":[]}}"),
         with("\"faces\":[],\"data\":{\"edge\":{}}"),
+        with("\"faces\":[],\"data\":[{},{}]"),
+        with("\"faces\":[],\"data\":{\"face\":{},\"face\":{}}"),
+        " [\"isogeo-mesh\",1,\"QQ\",[],[]]".into(),
         with("\"faces\":[]}"),
         with("\"faces\":[").trim_end_matches('}').to_owned(),
     ];

@@ -351,7 +351,8 @@ fn read_text<'a>(
                 let numeral = |p: usize| source.numeral(numbers[p]);
                 parts.points.push(Point::new(numeral(x)?, numeral(y)?, numeral(z)?));
             }
-            Role::Face(_) => parts.push_face(first.start, &corners),
+            // From the length on, so that the corners are found again.
+            Role::Face(list) => parts.push_face(numbers[list].start, &corners),
             Role::Other => {}
         }
         cursor.next_line();
