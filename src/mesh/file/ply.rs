@@ -51,6 +51,8 @@ impl Scalar {
     }
 }
 
+// Only binary data are read by their types.
+#[cfg_attr(not(feature = "ply"), allow(dead_code))]
 pub(super) enum Kind {
     Scalar(Scalar),
     /// The type of the length, the type of the members.
