@@ -35,11 +35,11 @@ obeys! {
     doubles: ring((-1000i32..1000).prop_map(f64::from)), order((-1000i32..1000).prop_map(f64::from)),
         field((-8i32..8, any::<bool>()).prop_map(|(e, s)| if s { -2f64.powi(e) } else { 2f64.powi(e) }),
             not_zero);
-    dual_numbers: ring(duals::<_, 3>(fractions::<Rational>())),
+    dual_numbers: ring(duals::<_, 3>(small_fractions::<Rational>())),
         field(duals::<_, 2>(small_fractions::<Rational>()), |x| not_zero(&x.value));
     dual_numbers_nested: ring(hessians()), field(hessians(), |x| not_zero(&x.value.value));
     dual_numbers_over_integers: ring(duals::<_, 2>(integers()));
-    quadratic_field: ring(quadratics::<_, 2>(fractions::<Rational>())),
+    quadratic_field: ring(quadratics::<_, 2>(small_fractions::<Rational>())),
         field(quadratics::<_, 3>(small_fractions::<Rational>()), not_zero),
         order(quadratics::<_, 5>(small_fractions::<Rational>()));
     quadratic_field_of_big_rationals:
