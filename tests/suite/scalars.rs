@@ -13,3 +13,4 @@ mod prime;
 mod quadratics;
 mod rounding;
 mod samples;
+mod variations;
