@@ -439,3 +439,28 @@ fn reports_are_the_same_for_any_number_of_threads_that_ask_at_once() {
         }
     }
 }
+
+#[test]
+fn an_edge_of_length_zero_does_not_make_a_vertex_conical() {
+    // Four planes through the origin with gradients (1, 0), (1, 1), (0, 1) and (0, -m); the first
+    // and the last share an edge of length zero, hence a point but no line.
+    let star = |m: i64| {
+        let points = [
+            [0, 0, 0],
+            [0, 0, 0],
+            [1, 0, 1],
+            [0, 1, 1],
+            [-1, 0, 0],
+            [1, -1, 1],
+            [1, 1, 2],
+            [-1, 1, 1],
+            [-1, -1, m],
+        ];
+        mesh(&points, &[&[0, 1, 5, 2], &[0, 2, 6, 3], &[0, 3, 7, 4], &[0, 4, 8, 1]])
+    };
+    for (m, concyclic) in [(0, true), (-1, true), (-3, false), (1, false)] {
+        let expected = if concyclic { Verdict::Proved } else { Verdict::Refuted };
+        assert_eq!(verdict(&star(m), Property::Planar), Verdict::Proved);
+        assert_eq!(verdict(&star(m), Property::IConical), expected, "{m}");
+    }
+}
