@@ -6,7 +6,8 @@
 //! `p₀ … p₃` of consecutive faces satisfy `p_j − p_{j−1} = w_j J e_j'` with the edges `e_j`, since
 //! two planes agree along their common line; so their in-circle determinant is
 //! `w₀ w₁ w₂ w₃` times the [`Balance`] of the edges in the top view, which is the angle balance (14)
-//! modulo π. It vanishes iff the balance does or two adjacent faces are coplanar (`w_j = 0`).
+//! modulo π. It vanishes iff the balance does or two adjacent faces are coplanar (`w_j = 0`). Along an
+//! edge of length zero two planes need not agree, so there the gradients themselves are tested.
 
 use super::Judge;
 use super::i_circular::distinct;
@@ -91,30 +92,29 @@ pub(super) fn outcome<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D
         Ok(answer) => answer,
         Err(outcome) => return outcome,
     };
-    let answer = match *star.as_slice() {
-        [a, b, c, d] => {
-            let at =
-                [v, topology.target(a), topology.target(b), topology.target(c), topology.target(d)];
-            let balance = judge.decide().decide(Balance, at).max(planar);
-            if balance != Answer::Nonzero {
-                return Outcome::of(balance, || judge.failure("angle balance", Balance, at));
-            }
+    if star.len() < 4 {
+        return match planar {
+            Answer::Zero => Outcome::Trivial,
+            answer => Outcome::of(answer, || planar_failure(judge, &star)),
+        };
+    }
+    let ends = || star.iter().map(|&h| topology.target(h));
+    if let [a, b, c, d] = *star.as_slice()
+        && !ends().any(|x| judge.decide().same_top_view(v, x))
+    {
+        let [a, b, c, d] = [a, b, c, d].map(|h| topology.target(h));
+        let at = [v, a, b, c, d];
+        let mut answer = judge.decide().decide(Balance, at);
+        if answer == Answer::Nonzero {
             // The determinant is a product: the smallest factor decides.
             let flattest = star.iter().map(|&h| coplanar_faces(judge, h)).min();
-            let answer = flattest.unwrap_or(Answer::Nonzero).max(planar);
-            return Outcome::of(answer, || judge.failure("angle balance", Balance, at));
+            answer = flattest.unwrap_or(Answer::Nonzero);
         }
-        _ if star.len() < 4 => {
-            return match planar {
-                Answer::Zero => Outcome::Trivial,
-                answer => Outcome::of(answer, || planar_failure(judge, &star)),
-            };
-        }
-        _ => planar,
-    };
+        return Outcome::of(answer.max(planar), || judge.failure("angle balance", Balance, at));
+    }
     let places = places(judge, &star);
     let conical = places.iter().map(|&at| judge.decide().decide(ConcyclicGradients, at)).max();
-    Outcome::of(conical.unwrap_or(Answer::Zero).max(answer), || {
+    Outcome::of(conical.unwrap_or(Answer::Zero).max(planar), || {
         judge.worst("concyclic gradients", ConcyclicGradients, places.into_iter())
     })
 }

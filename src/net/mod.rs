@@ -109,6 +109,7 @@ impl<'a, D: Decide> Net<'a, D> {
     /// next property.
     pub fn check(&self, property: Property) -> Report<D::Value> {
         let elements = self.elements(property);
+        self.know_faces(property);
         let quick = Judge { net: self, exact: false };
         let mut report =
             Report::collect(property.name(), &elements, |e| (e, quick.outcome(property, e)));
@@ -144,14 +145,36 @@ impl<'a, D: Decide> Net<'a, D> {
         *self.disc.get_or_init(|| delaunay::is_disc(self.topology, self.decide))
     }
 
+    /// Finds out about all faces where the property asks for them.
+    ///
+    /// Not inside of `get_or_init`: a thread that waits for others to finish their share may take
+    /// up another task that asks for the same, and would wait for itself.
+    fn know_faces(&self, property: Property) {
+        let asks = match property {
+            Property::Planar
+            | Property::ICircular
+            | Property::IConical
+            | Property::Circumscribed
+            | Property::Circular
+            | Property::Conical => true,
+            Property::Inscribed | Property::Midscribed | Property::Delaunay => false,
+        };
+        if asks && self.shapes.get().is_none() {
+            let faces = 0..self.topology.face_count() as u32;
+            let shape = |f| self.find_shape(FaceId(f));
+            let shapes = faces.into_par_iter().with_min_len(1024).map(shape).collect();
+            // Another thread may have been faster; it found the same.
+            let _ = self.shapes.set(shapes);
+        }
+    }
+
+    fn find_shape(&self, face: FaceId) -> FaceShape {
+        planar::shape(self.decide, self.topology.face(face))
+    }
+
     /// What is known about a face: planarity and the position of its plane.
     fn shape(&self, face: FaceId) -> FaceShape {
-        let shapes = self.shapes.get_or_init(|| {
-            let faces = 0..self.topology.face_count() as u32;
-            let shape = |f| planar::shape(self.decide, self.topology.face(FaceId(f)));
-            faces.into_par_iter().with_min_len(1024).map(shape).collect()
-        });
-        shapes[face.index()]
+        self.shapes.get().map_or_else(|| self.find_shape(face), |shapes| shapes[face.index()])
     }
 }
 

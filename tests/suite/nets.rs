@@ -9,6 +9,7 @@ use isogeo::net::{Net, Property};
 use isogeo::scalar::{Field, Numeral, Ordered, Rational, RationalField, Ring};
 use isogeo::space::Point;
 use proptest::prelude::*;
+use rayon::prelude::*;
 
 use crate::meshes::{Q, any_mesh, circular, fraction, relabelled, small, translational};
 
@@ -404,4 +405,62 @@ fn the_witness_is_exact() {
     let worst = fast(&bent, Property::Planar).worst.unwrap();
     assert_eq!(worst.failure.residual, Some(Rational::from_i64(42)));
     assert_eq!(worst.failure.defect, 1.0);
+}
+
+/// The net z = x² + y² over the integers: planar, i-circular, i-conical.
+fn integer_net(side: i64) -> Mesh<Numeral> {
+    let point = |x: i64, y: i64| Point::new(x, y, x * x + y * y).map(|&c| Numeral::from_i64(c));
+    let points = (0..=side).flat_map(|x| (0..=side).map(move |y| point(x, y))).collect();
+    Mesh::new(points, isogeo::construct::quad_patch(side as usize, side as usize)).unwrap()
+}
+
+#[test]
+fn reports_are_the_same_for_any_number_of_threads_that_ask_at_once() {
+    // More chunks than threads and more threads than a thread has jobs of its own: what faces are
+    // must not be found under a lock that a waiting thread comes back to.
+    let mut net = integer_net(200);
+    for moved in [10_000, 20_000, 30_100] {
+        net.points[moved].z = Numeral::from_i64(-1);
+    }
+    let of_threads = |n: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap();
+        pool.install(|| {
+            let decider = Decider::new(&net.points);
+            let net = Net::new(&net.topology, &decider);
+            Property::ALL.par_iter().map(|&p| net.check(p)).collect::<Vec<_>>()
+        })
+    };
+    let one = of_threads(1);
+    let verdicts: Vec<_> = one.iter().map(|r| r.verdict()).collect();
+    assert_eq!(verdicts[..3], [Verdict::Refuted; 3]);
+    for n in [2, 3, 16] {
+        for _ in 0..4 {
+            assert_eq!(of_threads(n), one, "{n} threads");
+        }
+    }
+}
+
+#[test]
+fn an_edge_of_length_zero_does_not_make_a_vertex_conical() {
+    // Four planes through the origin with gradients (1, 0), (1, 1), (0, 1) and (0, -m); the first
+    // and the last share an edge of length zero, hence a point but no line.
+    let star = |m: i64| {
+        let points = [
+            [0, 0, 0],
+            [0, 0, 0],
+            [1, 0, 1],
+            [0, 1, 1],
+            [-1, 0, 0],
+            [1, -1, 1],
+            [1, 1, 2],
+            [-1, 1, 1],
+            [-1, -1, m],
+        ];
+        mesh(&points, &[&[0, 1, 5, 2], &[0, 2, 6, 3], &[0, 3, 7, 4], &[0, 4, 8, 1]])
+    };
+    for (m, concyclic) in [(0, true), (-1, true), (-3, false), (1, false)] {
+        let expected = if concyclic { Verdict::Proved } else { Verdict::Refuted };
+        assert_eq!(verdict(&star(m), Property::Planar), Verdict::Proved);
+        assert_eq!(verdict(&star(m), Property::IConical), expected, "{m}");
+    }
 }
