@@ -104,7 +104,7 @@ pub struct CheckOptions {
     #[arg(long, value_name = "PROPERTY", value_delimiter = ',')]
     pub is: Vec<String>,
     /// Count a residual of at most T times its scale as undecided instead of refuted
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
 }
 

@@ -25,6 +25,11 @@ impl Failure {
         Failure::coded("isogeo::usage", message, Some(help.into()))
     }
 
+    /// The system does not let us print.
+    pub fn io(message: impl Into<String>) -> Failure {
+        Failure::coded("isogeo::io", message, None)
+    }
+
     fn coded(code: &str, message: impl Into<String>, help: Option<String>) -> Failure {
         Failure(Box::new(FileError {
             code: code.into(),
@@ -38,8 +43,7 @@ impl Failure {
 
     /// Prints the error: to standard error for people, to standard output as JSON for programs.
     pub fn print(&self, layout: Layout) {
-        if layout.is_json() {
-            output::print_json(&self.json());
+        if layout.is_json() && output::print_json(&self.json()).is_ok() {
             return;
         }
         let terminal = std::io::IsTerminal::is_terminal(&std::io::stderr());
@@ -47,10 +51,11 @@ impl Failure {
         let theme =
             if colours { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let mut text = String::new();
-        let handler = GraphicalReportHandler::new_themed(theme).with_width(96);
+        let handler =
+            GraphicalReportHandler::new_themed(theme).with_width(96).with_context_lines(0);
         match handler.render_report(&mut text, &Shown::new(&self.0)) {
-            Ok(()) => eprint!("{text}"),
-            Err(_) => eprintln!("{}", self.0),
+            Ok(()) => output::complain(&text),
+            Err(_) => output::complain(&format!("{}\n", self.0)),
         }
     }
 

@@ -37,10 +37,11 @@ fn doubles(file: &MeshFile) -> Result<Coordinates, Failure> {
     let double = |x: &Numeral| Numeral::from_f64(x.nearest_f64());
     for (vertex, point) in mesh.points.iter().enumerate() {
         if point.coordinates().iter().any(|c| double(c).is_none()) {
-            return Err(Failure::usage(format!(
-                "{}: a coordinate of vertex {vertex} is beyond the range of doubles",
-                file.name
-            )));
+            let name = &file.name;
+            return Err(Failure::with_help(
+                format!("{name}: a coordinate of vertex {vertex} is beyond the range of doubles"),
+                "read the file with --read-as decimal",
+            ));
         }
     }
     Ok(Coordinates::Numerals(mesh.map(|x| double(x).unwrap_or_else(|| Numeral::from_i64(0)))))
