@@ -110,13 +110,16 @@ fn as_text(input: &Input, options: &CheckOptions, reports: &[Report<Rational>]) 
         if let Some(witness) = &report.worst {
             let failure = &witness.failure;
             let residual = match &failure.residual {
-                Some(value) => format!(" residual {}", words::exact(value)),
+                Some(value) => format!(" residual {},", words::exact(value)),
                 None => String::new(),
             };
             let _ = writeln!(
                 text,
-                "{:29}worst: {}, {}:{residual} (defect {:.1e})",
-                "", witness.element, failure.condition, failure.defect
+                "{:29}worst: {}, {}:{residual} defect {}",
+                "",
+                witness.element,
+                failure.condition,
+                words::defect(failure.defect)
             );
         }
         if let Some((element, reason)) = report.undefined.first() {
@@ -129,9 +132,9 @@ fn as_text(input: &Input, options: &CheckOptions, reports: &[Report<Rational>]) 
     text
 }
 
-const WITHIN_THE_DIGITS: &str = "\
-  Within the digits: not exactly zero as printed, but zero for other numbers that are printed alike,
-  element by element. With --read-as decimal the printed numbers themselves are judged.
+const WITHIN_THE_DIGITS: &str = "  \
+  Within the digits: not exactly zero as printed, but zero for other numbers that are printed
+  alike, element by element. With --read-as decimal the printed numbers themselves are judged.
 ";
 
 fn reading(input: &Input) -> &'static str {
@@ -165,7 +168,7 @@ fn details(report: &Report<Rational>, options: &CheckOptions) -> String {
     }
     if report.undecided > 0 {
         let tolerance = options.tolerance.unwrap_or(0.0);
-        parts.push(format!("{} within the tolerance {tolerance:e}", report.undecided));
+        parts.push(format!("{} within the tolerance {tolerance:?}", report.undecided));
     }
     if !report.undefined.is_empty() {
         parts.push(format!("{} undefined", report.undefined.len()));

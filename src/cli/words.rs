@@ -39,3 +39,8 @@ pub fn coordinate(number: &Rational) -> String {
         _ => exact(number),
     }
 }
+
+/// A size relative to its scale.
+pub fn defect(size: f64) -> String {
+    if size < 0.01 { format!("{size:.1e}") } else { format!("{size:.2}") }
+}
