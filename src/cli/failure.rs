@@ -122,9 +122,14 @@ impl SourceCode for Line<'_> {
 
 impl fmt::Display for Shown<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (&self.line, self.error.file.as_str()) {
-            (Some(_), _) | (None, "") => write!(f, "{}", self.error.message),
-            (None, _) => write!(f, "{}", self.error),
+        let FileError { message, file, label, .. } = self.error;
+        match &self.line {
+            // Nothing is drawn below an empty line, not even the label.
+            Some(line) if line.place.excerpt.is_empty() && !label.is_empty() => {
+                write!(f, "{message}: {label}")
+            }
+            None if !file.is_empty() => write!(f, "{}", self.error),
+            _ => write!(f, "{message}"),
         }
     }
 }

@@ -10,7 +10,7 @@ use super::arguments::Layout;
 use super::failure::Failure;
 use super::words;
 use crate::mesh::Mesh;
-use crate::mesh::file::{self, Options, Written};
+use crate::mesh::file::{self, Format, Options, Written};
 use crate::scalar::Rational;
 
 /// Prints a text; a reader that has gone away is no error, a full disk is.
@@ -56,12 +56,20 @@ pub fn write(
             "vertices": vertices,
             "faces": faces,
             "exact": exact,
+            "data_kept": keeps_data(path, mesh),
         }))
     } else {
         let how = if exact { "exactly" } else { "rounded; .iso.json would be exact" };
         let size = format!("{}, {}", words::vertices(vertices), words::count(faces, "face"));
-        print(&format!("{}: {size}, written {how}\n", path.display()))
+        let kept = if keeps_data(path, mesh) { "" } else { "; its data are left out" };
+        print(&format!("{}: {size}, written {how}{kept}\n", path.display()))
     }
+}
+
+/// Whether the format holds all that the mesh has beside its geometry.
+fn keeps_data(path: &Path, mesh: &Mesh<Rational>) -> bool {
+    let has_none = mesh.data.vertex.is_empty() && mesh.data.face.is_empty();
+    has_none || matches!(Format::from_path(path), Some(Format::IsoJson | Format::Vtu))
 }
 
 /// A sign of life on a terminal while something large is done; silent elsewhere.
