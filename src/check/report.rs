@@ -62,7 +62,7 @@ impl fmt::Display for Reason {
             Reason::FoldedEdge => write!(f, "the top view is folded along the edge"),
             Reason::NotConvex => write!(
                 f,
-                "the top view is no disc with a convex boundary here, so that all edges are locally Delaunay and more is not known"
+                "the top view is no disc with a convex boundary here, so that edges alone do not decide"
             ),
         }
     }

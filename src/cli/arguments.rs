@@ -95,6 +95,7 @@ pub struct InputOptions {
 Properties: planar, i-circular, i-conical, inscribed, circumscribed, midscribed (to the unit
 i-sphere 2z = x² + y²), delaunay (top view), circular, conical (Euclidean).
 Without --is all are judged and the exit code is 0.
+The defect of a residual is its size, divided by the sum of the sizes of its terms: free of units.
 Example:
   isogeo check roof.obj --is planar,i-circular --format json")]
 pub struct CheckOptions {
@@ -104,7 +105,7 @@ pub struct CheckOptions {
     #[arg(long, value_name = "PROPERTY", value_delimiter = ',')]
     pub is: Vec<String>,
     /// Count a residual of at most T times its scale as undecided instead of refuted
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
 }
 
@@ -140,8 +141,12 @@ pub struct ConvertOptions {
     #[arg(long, conflicts_with = "digits")]
     pub clear_denominators: bool,
     /// Write decimals of N significant digits
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = digits)]
     pub digits: Option<NonZeroU16>,
+}
+
+fn digits(text: &str) -> Result<NonZeroU16, &'static str> {
+    text.parse().map_err(|_| "expected a whole number from 1 to 65535")
 }
 
 /// Write the metric dual: vertices are the poles of the face planes
@@ -158,7 +163,7 @@ pub struct DualOptions {
     pub output: OutputOptions,
 }
 
-/// Apply an isotropic motion (1)
+/// Apply an isotropic motion: rotate the top view, shear in z-direction, translate
 #[derive(Debug, Args)]
 #[command(
     allow_negative_numbers = true,

@@ -7,13 +7,13 @@ use serde_json::{Value, json};
 use super::arguments::{CheckOptions, Layout};
 use super::failure::Failure;
 use super::input::{self, Input};
-use super::{Status, output};
+use super::{Status, output, words};
 use crate::check::{Element, Reason, Report, Verdict};
 use crate::net::{Net, Property};
 use crate::scalar::{Rational, ReadAs};
 
 /// Properties of the interface that are not there yet.
-const TO_COME: [&str; 9] = [
+const TO_COME: [&str; 10] = [
     "i-isothermic",
     "koenigs",
     "i-minimal",
@@ -23,13 +23,16 @@ const TO_COME: [&str; 9] = [
     "v-parallel",
     "christoffel-dual",
     "cmc",
+    "constant-k",
 ];
 
 /// Judges the mesh and prints the report.
 pub fn run(options: &CheckOptions, layout: Layout) -> Result<Status, Failure> {
     let properties = properties(&options.is)?;
-    if options.tolerance.is_some_and(|t| t.is_nan() || t < 0.0) {
-        return Err(Failure::usage("a tolerance is a number that is not negative"));
+    if options.tolerance.is_some_and(|t| !t.is_finite() || t < 0.0) {
+        return Err(Failure::usage(
+            "a tolerance is a finite number that is not negative, such as 1e-9",
+        ));
     }
     let input = input::read(&options.input)?;
     let bar = output::progress(input.topology().face_count(), "clearing denominators");
@@ -44,9 +47,9 @@ pub fn run(options: &CheckOptions, layout: Layout) -> Result<Status, Failure> {
         .collect();
     bar.finish_and_clear();
     if layout.is_json() {
-        output::print_json(&as_json(&input, options, &reports));
+        output::print_json(&as_json(&input, options, &reports))?;
     } else {
-        output::print(&as_text(&input, options, &reports));
+        output::print(&as_text(&input, options, &reports))?;
     }
     Ok(status(options, &reports))
 }
@@ -66,7 +69,14 @@ fn properties(names: &[String]) -> Result<Vec<Property>, Failure> {
             Failure::with_help(message, format!("the properties are {known}"))
         })
     };
-    names.iter().map(property).collect()
+    let mut properties = Vec::new();
+    for name in names {
+        let property = property(name)?;
+        if !properties.contains(&property) {
+            properties.push(property);
+        }
+    }
+    Ok(properties)
 }
 
 fn status(options: &CheckOptions, reports: &[Report<Rational>]) -> Status {
@@ -83,11 +93,11 @@ fn status(options: &CheckOptions, reports: &[Report<Rational>]) -> Status {
 fn as_text(input: &Input, options: &CheckOptions, reports: &[Report<Rational>]) -> String {
     let topology = input.topology();
     let mut text = format!(
-        "{}: {} vertices ({} interior), {} faces; {}\n",
+        "{}: {} ({} interior), {}; {}\n",
         input.file.name,
-        topology.vertex_count(),
+        words::vertices(topology.vertex_count()),
         topology.interior_vertices().count(),
-        topology.face_count(),
+        words::count(topology.face_count(), "face"),
         reading(input),
     );
     for report in reports {
@@ -100,21 +110,32 @@ fn as_text(input: &Input, options: &CheckOptions, reports: &[Report<Rational>]) 
         if let Some(witness) = &report.worst {
             let failure = &witness.failure;
             let residual = match &failure.residual {
-                Some(value) => format!(" residual {}", shortened(&value.to_string())),
+                Some(value) => format!(" residual {},", words::exact(value)),
                 None => String::new(),
             };
             let _ = writeln!(
                 text,
-                "{:29}worst: {}, {}:{residual} (defect {:.1e})",
-                "", witness.element, failure.condition, failure.defect
+                "{:29}worst: {}, {}:{residual} defect {}",
+                "",
+                witness.element,
+                failure.condition,
+                words::defect(failure.defect)
             );
         }
         if let Some((element, reason)) = report.undefined.first() {
             let _ = writeln!(text, "{:29}undefined first at {element}: {reason}", "");
         }
     }
+    if options.input.read_as.is_none() && reports.iter().any(|r| r.consistent > 0) {
+        text.push_str(WITHIN_THE_DIGITS);
+    }
     text
 }
+
+const WITHIN_THE_DIGITS: &str = "  \
+  Within the digits: not exactly zero as printed, but zero for other numbers that are printed
+  alike, element by element. With --read-as decimal the printed numbers themselves are judged.
+";
 
 fn reading(input: &Input) -> &'static str {
     match input.read_as {
@@ -132,14 +153,12 @@ fn details(report: &Report<Rational>, options: &CheckOptions) -> String {
     if total == 0 {
         return match report.trivial {
             0 => "nothing to check".into(),
-            n => format!("nothing to check: it holds by itself on {n} elements"),
+            n => format!("nothing to check: it holds by itself on {}", words::count(n, "element")),
         };
     }
     let failed = report.failures.len();
     if failed > 0 {
-        let list: Vec<String> = report.failures.iter().take(8).map(short).collect();
-        let more = if failed > 8 { format!(" and {} more", failed - 8) } else { String::new() };
-        parts.push(format!("{failed} of {total} fail: {}{more}", list.join(" ")));
+        parts.push(format!("{failed} of {total} fail: {}", list(&report.failures)));
     } else {
         let zero = report.checked - report.consistent - report.undecided;
         parts.push(format!("{zero} of {total} exactly zero"));
@@ -149,12 +168,37 @@ fn details(report: &Report<Rational>, options: &CheckOptions) -> String {
     }
     if report.undecided > 0 {
         let tolerance = options.tolerance.unwrap_or(0.0);
-        parts.push(format!("{} within the tolerance {tolerance:e}", report.undecided));
+        parts.push(format!("{} within the tolerance {tolerance:?}", report.undecided));
     }
     if !report.undefined.is_empty() {
         parts.push(format!("{} undefined", report.undefined.len()));
     }
-    parts.join(", ")
+    parts.join("; ")
+}
+
+/// The first elements of a list, every kind named once: "faces 0 1 2, edge 0-3 and 7 more".
+fn list(elements: &[Element]) -> String {
+    const MOST: usize = 8;
+    let (shown, rest) = elements.split_at(elements.len().min(MOST));
+    let alike = |a: &Element, b: &Element| noun(a) == noun(b);
+    let group = |group: &[Element]| match group {
+        [one] => one.to_string(),
+        _ => {
+            let names: Vec<String> = group.iter().map(short).collect();
+            format!("{} {}", group.first().map_or("", noun), names.join(" "))
+        }
+    };
+    let groups: Vec<String> = shown.chunk_by(alike).map(group).collect();
+    let more = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
+    format!("{}{more}", groups.join(", "))
+}
+
+fn noun(element: &Element) -> &'static str {
+    match element {
+        Element::Face(_) => "faces",
+        Element::Vertex(_) => "vertices",
+        Element::Edge(..) => "edges",
+    }
 }
 
 fn short(element: &Element) -> String {
@@ -162,16 +206,6 @@ fn short(element: &Element) -> String {
         Element::Face(f) => f.0.to_string(),
         Element::Vertex(v) => v.0.to_string(),
         Element::Edge(a, b) => format!("{}-{}", a.0, b.0),
-    }
-}
-
-/// Long numbers are cut for people.
-fn shortened(number: &str) -> String {
-    const MOST: usize = 60;
-    if number.len() <= MOST {
-        number.to_owned()
-    } else {
-        format!("{}... ({} characters)", &number[..MOST - 20], number.len())
     }
 }
 

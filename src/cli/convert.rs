@@ -9,7 +9,10 @@ use crate::mesh::file::{Options, clear_denominators};
 pub fn run(options: &ConvertOptions, layout: Layout) -> Result<Status, Failure> {
     let input = input::read(&options.input)?;
     let mut mesh = input.exact();
-    let mut write = Options { digits: options.digits, ..Options::default() };
+    let mut notes = input.file.notes.clone();
+    notes.remove("coords");
+    let certificate = input.file.certificate.clone();
+    let mut write = Options { digits: options.digits, notes, certificate };
     if options.clear_denominators {
         let cleared = clear_denominators(&mesh).ok_or_else(|| {
             Failure::with_help(
@@ -18,6 +21,7 @@ pub fn run(options: &ConvertOptions, layout: Layout) -> Result<Status, Failure> 
             )
         })?;
         write.notes = cleared.notes();
+        write.certificate = None;
         mesh = cleared.mesh;
     }
     output::write(&options.output, &mesh, &write, layout)?;

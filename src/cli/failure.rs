@@ -3,12 +3,13 @@
 use std::fmt;
 
 use miette::{
-    Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode,
+    Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError,
+    MietteSpanContents, SourceCode, SourceSpan, SpanContents,
 };
 
 use super::arguments::Layout;
 use super::output;
-use crate::mesh::file::FileError;
+use crate::mesh::file::{FileError, Place};
 
 /// Why a command could not do its work.
 #[derive(Debug)]
@@ -25,6 +26,11 @@ impl Failure {
         Failure::coded("isogeo::usage", message, Some(help.into()))
     }
 
+    /// The system does not let us print.
+    pub fn io(message: impl Into<String>) -> Failure {
+        Failure::coded("isogeo::io", message, None)
+    }
+
     fn coded(code: &str, message: impl Into<String>, help: Option<String>) -> Failure {
         Failure(Box::new(FileError {
             code: code.into(),
@@ -38,8 +44,7 @@ impl Failure {
 
     /// Prints the error: to standard error for people, to standard output as JSON for programs.
     pub fn print(&self, layout: Layout) {
-        if layout.is_json() {
-            output::print_json(&self.json());
+        if layout.is_json() && output::print_json(&self.json()).is_ok() {
             return;
         }
         let terminal = std::io::IsTerminal::is_terminal(&std::io::stderr());
@@ -49,8 +54,8 @@ impl Failure {
         let mut text = String::new();
         let handler = GraphicalReportHandler::new_themed(theme).with_width(96);
         match handler.render_report(&mut text, &Shown::new(&self.0)) {
-            Ok(()) => eprint!("{text}"),
-            Err(_) => eprintln!("{}", self.0),
+            Ok(()) => output::complain(&text),
+            Err(_) => output::complain(&format!("{}\n", self.0)),
         }
     }
 
@@ -81,28 +86,50 @@ impl From<FileError> for Failure {
 #[derive(Debug)]
 struct Shown<'a> {
     error: &'a FileError,
-    source: Option<NamedSource<String>>,
+    line: Option<Line<'a>>,
 }
 
 impl<'a> Shown<'a> {
     fn new(error: &'a FileError) -> Self {
-        // Empty lines before the excerpt make miette count to its line.
-        let source = error.place.as_deref().filter(|p| p.line <= MAX_LINES).map(|p| {
-            let text = "\n".repeat(p.line - 1) + &p.excerpt;
-            NamedSource::new(&error.file, text)
-        });
-        Shown { error, source }
+        let line = error.place.as_deref().map(|place| Line { file: &error.file, place });
+        Shown { error, line }
     }
 }
 
-/// Beyond this line the place is named but the line is not shown.
-const MAX_LINES: usize = 10_000_000;
+/// One line of a file, all that is left of it.
+#[derive(Debug)]
+struct Line<'a> {
+    file: &'a str,
+    place: &'a Place,
+}
+
+impl SourceCode for Line<'_> {
+    fn read_span<'a>(
+        &'a self,
+        _: &SourceSpan,
+        lines_before: usize,
+        _: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let Place { line, column, excerpt, .. } = self.place;
+        // Without context, the place itself is asked for.
+        let column = if lines_before == 0 { column - 1 } else { 0 };
+        let whole = SourceSpan::new(0.into(), excerpt.len());
+        let name = self.file.to_owned();
+        let bytes = excerpt.as_bytes();
+        Ok(Box::new(MietteSpanContents::new_named(name, bytes, whole, line - 1, column, 1)))
+    }
+}
 
 impl fmt::Display for Shown<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (&self.source, self.error.file.as_str()) {
-            (Some(_), _) | (None, "") => write!(f, "{}", self.error.message),
-            (None, _) => write!(f, "{}", self.error),
+        let FileError { message, file, label, .. } = self.error;
+        match &self.line {
+            // Nothing is drawn below an empty line, not even the label.
+            Some(line) if line.place.excerpt.is_empty() && !label.is_empty() => {
+                write!(f, "{message}: {label}")
+            }
+            None if !file.is_empty() => write!(f, "{}", self.error),
+            _ => write!(f, "{message}"),
         }
     }
 }
@@ -119,16 +146,14 @@ impl Diagnostic for Shown<'_> {
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
-        self.source.as_ref().map(|s| s as &dyn SourceCode)
+        self.line.as_ref().map(|line| line as &dyn SourceCode)
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let place = self.error.place.as_deref()?;
-        let source = self.source.as_ref()?;
+        let place = self.line.as_ref()?.place;
         let start = place.span.start.saturating_sub(place.excerpt_start).min(place.excerpt.len());
         let length = place.span.len().min(place.excerpt.len() - start);
         let label = (!self.error.label.is_empty()).then(|| self.error.label.clone());
-        let offset = source.inner().len() - place.excerpt.len() + start;
-        Some(Box::new(std::iter::once(LabeledSpan::new(label, offset, length))))
+        Some(Box::new(std::iter::once(LabeledSpan::new(label, start, length))))
     }
 }

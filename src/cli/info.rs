@@ -8,19 +8,19 @@ use serde_json::json;
 use super::arguments::{InfoOptions, Layout};
 use super::failure::Failure;
 use super::input::{self, Input};
-use super::{Status, output};
+use super::{Status, output, words};
 use crate::mesh::file::Coordinates;
 use crate::mesh::{Mesh, VertexKind};
-use crate::scalar::{Approx, Base, Rational, RationalField};
+use crate::scalar::{Base, Rational, RationalField};
 
 /// Describes the mesh.
 pub fn run(options: &InfoOptions, layout: Layout) -> Result<Status, Failure> {
     let input = input::read(&options.input)?;
     let facts = Facts::of(&input);
     if layout.is_json() {
-        output::print_json(&facts.json(&input));
+        output::print_json(&facts.json(&input))?;
     } else {
-        output::print(&facts.text(&input));
+        output::print(&facts.text(&input))?;
     }
     Ok(Status::Proved)
 }
@@ -92,7 +92,13 @@ impl Facts {
             ),
         );
         line("edges", self.edges.to_string());
-        line("faces", format!("{}: {}", self.faces, list(&self.face_sizes, "of size")));
+        line(
+            "faces",
+            match self.faces {
+                0 => "none".into(),
+                n => format!("{n}: {}", list(&self.face_sizes, "of size")),
+            },
+        );
         line(
             "valences",
             match self.valences.len() {
@@ -104,6 +110,7 @@ impl Facts {
         line(
             "boundary loops",
             match loops.len() {
+                0 if self.faces == 0 => "none".into(),
                 0 => "none: closed".into(),
                 n => format!("{n}, of {} edges", loops.join(", ")),
             },
@@ -111,12 +118,18 @@ impl Facts {
         line("components", self.components.to_string());
         line("Euler number", self.euler.to_string());
         line("orientation", "consistent".into());
-        line("coincident", format!("{} vertices at the place of another", self.coincident));
+        line(
+            "coincident",
+            match self.coincident {
+                0 => "none: no vertex lies at the place of another".into(),
+                n => format!("{} at the place of another", words::vertices(n)),
+            },
+        );
         line("digits", self.digits.clone());
         line("reading", input.read_as.name().into());
         if let Some([low, high]) = &self.bounds {
             for (axis, (low, high)) in ["x", "y", "z"].iter().zip(low.iter().zip(high)) {
-                line(axis, format!("{} to {}", low.to_f64(), high.to_f64()));
+                line(axis, format!("{} to {}", words::coordinate(low), words::coordinate(high)));
             }
         }
         text
@@ -178,6 +191,10 @@ fn digits(coordinates: &Coordinates) -> String {
                 });
             match range {
                 None => "no numbers".into(),
+                Some((Base::Ten, low, high)) if low == high => {
+                    format!("decimals, last digit 1e{low}")
+                }
+                Some((Base::Two, low, high)) if low == high => format!("binary, last bit 2^{low}"),
                 Some((Base::Ten, low, high)) => {
                     format!("decimals, last digit from 1e{low} to 1e{high}")
                 }

@@ -9,6 +9,8 @@ mod info;
 mod input;
 mod motion;
 mod output;
+mod usage;
+mod words;
 
 use std::process::ExitCode;
 
@@ -54,18 +56,18 @@ isogeo checks discrete surfaces in isotropic geometry, exactly.
 /// Runs the program on the arguments of the process.
 pub fn main() -> ExitCode {
     if std::env::args_os().len() <= 1 {
-        output::print(FIRST_STEPS);
+        output::complain(FIRST_STEPS);
         return Status::BadInput.into();
     }
-    let arguments = Arguments::parse();
-    let layout = arguments.format;
-    match run(arguments) {
-        Ok(status) => status.into(),
-        Err(failure) => {
-            failure.print(layout);
-            Status::BadInput.into()
-        }
-    }
+    let (layout, result) = match Arguments::try_parse() {
+        Ok(arguments) => (arguments.format, run(arguments)),
+        Err(error) => usage::answer(&error),
+    };
+    let status = result.unwrap_or_else(|failure| {
+        failure.print(layout);
+        Status::BadInput
+    });
+    status.into()
 }
 
 fn run(arguments: Arguments) -> Result<Status, Failure> {
@@ -79,11 +81,11 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "isogeo", &mut script);
-            output::print_bytes(&script);
+            output::print_bytes(&script)?;
             Ok(Status::Proved)
         }
         Command::Man => {
-            output::print_bytes(&manual()?);
+            output::print_bytes(&manual()?)?;
             Ok(Status::Proved)
         }
     }

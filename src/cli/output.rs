@@ -8,24 +8,35 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::arguments::Layout;
 use super::failure::Failure;
+use super::words;
 use crate::mesh::Mesh;
-use crate::mesh::file::{self, Options, Written};
+use crate::mesh::file::{self, Format, Options, Written};
 use crate::scalar::Rational;
 
-/// Prints a text; a reader that has gone away is no error.
-pub fn print(text: &str) {
-    print_bytes(text.as_bytes());
+/// Prints a text; a reader that has gone away is no error, a full disk is.
+pub fn print(text: &str) -> Result<(), Failure> {
+    print_bytes(text.as_bytes())
 }
 
-/// Prints bytes; a reader that has gone away is no error.
-pub fn print_bytes(bytes: &[u8]) {
+/// Prints bytes, as [`print`] does.
+pub fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    let _ = out.write_all(bytes).and_then(|()| out.flush());
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::io(format!("the report cannot be printed: {e}")))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Prints a JSON value on lines of its own.
-pub fn print_json(value: &serde_json::Value) {
-    print(&format!("{value:#}\n"));
+pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
+    print(&format!("{value:#}\n"))
+}
+
+/// Prints to standard error; where that is not possible there is nobody left to tell.
+pub fn complain(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
 /// Writes a mesh and says what was written.
@@ -45,12 +56,20 @@ pub fn write(
             "vertices": vertices,
             "faces": faces,
             "exact": exact,
-        }));
+            "data_kept": keeps_data(path, mesh),
+        }))
     } else {
         let how = if exact { "exactly" } else { "rounded; .iso.json would be exact" };
-        print(&format!("{}: {vertices} vertices, {faces} faces, written {how}\n", path.display()));
+        let size = format!("{}, {}", words::vertices(vertices), words::count(faces, "face"));
+        let kept = if keeps_data(path, mesh) { "" } else { "; its data are left out" };
+        print(&format!("{}: {size}, written {how}{kept}\n", path.display()))
     }
-    Ok(())
+}
+
+/// Whether the format holds all that the mesh has beside its geometry.
+fn keeps_data(path: &Path, mesh: &Mesh<Rational>) -> bool {
+    let has_none = mesh.data.vertex.is_empty() && mesh.data.face.is_empty();
+    has_none || matches!(Format::from_path(path), Some(Format::IsoJson | Format::Vtu))
 }
 
 /// A sign of life on a terminal while something large is done; silent elsewhere.

@@ -1,5 +1,7 @@
 //! The one test binary: laws, values, files, reports, and the rules of the house.
 
+#[cfg(feature = "cli")]
+mod cli;
 mod examples;
 mod files;
 mod house;
