@@ -5,10 +5,12 @@
 //! The quads are *true* cases (coplanar, concyclic), where no floating-point filter can help. The
 //! naive ways evaluate the same determinants on rational numbers.
 
+use std::fmt::Write as _;
 use std::hint::black_box;
 use std::time::Instant;
 
 use isogeo::check::{Decide, Decider, Plain};
+use isogeo::mesh::file::{Coordinates, Format, read_bytes};
 use isogeo::mesh::{FaceList, Mesh, VertexId};
 use isogeo::net::i_circular::Concyclic;
 use isogeo::net::planar::Coplanar;
@@ -21,8 +23,10 @@ fn main() {
     let faces = arguments.next().and_then(|n| n.parse().ok()).unwrap_or(1_000_000usize);
     one_quad();
     let side = (faces as f64).sqrt().round() as usize;
-    million(translational_net(side, false), "all three properties true");
-    million(translational_net(side, true), "one vertex moved by its last bit");
+    for (moved, what) in [(false, "all three properties true"), (true, "one vertex moved")] {
+        let obj = as_obj(&translational_net(side, moved));
+        million(&obj, what);
+    }
 }
 
 /// A stream of 53-bit numbers (splitmix64).
@@ -104,26 +108,47 @@ fn row(name: &str, decide: &impl Decide, at: [VertexId; 4], runs: usize) {
     println!("{name:<22}{planar:>10.3}{concyclic:>12.3}");
 }
 
-fn million(mesh: Mesh<Numeral>, what: &str) {
-    println!("\n{} faces, {what} (seconds)", mesh.topology.face_count());
+/// The mesh as an OBJ file with the shortest decimals that give back its doubles.
+fn as_obj(mesh: &Mesh<Numeral>) -> Vec<u8> {
+    let mut text = String::new();
+    for p in &mesh.points {
+        let p = p.map(Numeral::nearest_f64);
+        let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
+    }
+    for f in mesh.topology.faces() {
+        text.push('f');
+        for v in mesh.topology.face(f) {
+            let _ = write!(text, " {}", v.0 + 1);
+        }
+        text.push('\n');
+    }
+    text.into_bytes()
+}
+
+fn million(obj: &[u8], what: &str) {
+    println!("\nOBJ of {} MB, {what}, read as doubles (seconds)", obj.len() / 1_000_000);
+    let show = |name: &str, start: Instant, note: String| {
+        println!("{name:<14}{:>8.3}  {note}", start.elapsed().as_secs_f64());
+    };
     let start = Instant::now();
+    let file = read_bytes("net.obj", Format::Obj, obj).expect("an OBJ file");
+    let Coordinates::Numerals(mesh) = file.into_doubles().expect("doubles").coordinates else {
+        unreachable!("OBJ files hold decimals");
+    };
+    show("reading", start, format!("{} faces", mesh.topology.face_count()));
+    let all = Instant::now();
     let decider = Decider::new(&mesh.points);
     let net = Net::new(&mesh.topology, &decider);
-    println!("{:<14}{:>8.3}", "denominators", start.elapsed().as_secs_f64());
+    show("denominators", all, String::new());
     for property in [Property::Planar, Property::ICircular, Property::IConical] {
         let start = Instant::now();
         let report = net.check(property);
-        let seconds = start.elapsed().as_secs_f64();
-        println!(
-            "{:<14}{seconds:>8.3}  {} ({} failed)",
-            property.name(),
-            report.verdict(),
-            report.failures.len()
-        );
+        let note = format!("{} ({} failed)", report.verdict(), report.failures.len());
+        show(property.name(), start, note);
     }
-    println!("{:<14}{:>8.3}", "deciding", start.elapsed().as_secs_f64());
+    show("deciding", all, "the four above".into());
     if let Some(peak) = peak_memory() {
-        println!("{:<14}{peak:>8} MB so far", "peak memory");
+        println!("{:<14}{peak:>8} MB so far, the text of the file included", "peak memory");
     }
 }
 

@@ -265,7 +265,7 @@ impl Decider<'_> {
 /// The enclosure of `Σ cᵢ √qᵢ`; everything, if a `qᵢ` is certainly negative.
 fn enclose(terms: &[(Ball<f64>, Ball<f64>)]) -> Ball<f64> {
     let anything = Ball { mid: 0.0, radius: f64::INFINITY };
-    let term = |(c, q): &(Ball<f64>, Ball<f64>)| q.sqrt().map_or(anything, |root| c * &root);
+    let term = |(c, q): &(Ball<f64>, Ball<f64>)| q.sqrt().map_or(anything, |root| *c * root);
     terms.iter().map(term).fold(Ball::zero(), |sum, t| sum + t)
 }
 

@@ -1,4 +1,4 @@
-//! Floor 2: from residuals to verdicts. Knows points and polynomials, no mesh class.
+//! Floor 3: from residuals to verdicts. Knows points and polynomials, no mesh class.
 //!
 //! A [`Residual`] is a polynomial in the coordinates of a few points. [`Decide`] says whether it
 //! vanishes: [`Plain`] by evaluating it in a field, [`Decider`] fast, with fixed-width integers and

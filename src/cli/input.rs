@@ -24,27 +24,9 @@ pub fn read(options: &InputOptions) -> Result<Input, Failure> {
     bar.finish_and_clear();
     let read_as = options.read_as.map_or(file.default_reading(), ReadAs::from);
     if read_as == ReadAs::Double {
-        file.coordinates = doubles(&file)?;
+        file = file.into_doubles()?;
     }
     Ok(Input { file, read_as })
-}
-
-/// Every number replaced by its nearest double.
-fn doubles(file: &MeshFile) -> Result<Coordinates, Failure> {
-    let Coordinates::Numerals(mesh) = &file.coordinates else {
-        return Ok(file.coordinates.clone());
-    };
-    let double = |x: &Numeral| Numeral::from_f64(x.nearest_f64());
-    for (vertex, point) in mesh.points.iter().enumerate() {
-        if point.coordinates().iter().any(|c| double(c).is_none()) {
-            let name = &file.name;
-            return Err(Failure::with_help(
-                format!("{name}: a coordinate of vertex {vertex} is beyond the range of doubles"),
-                "read the file with --read-as decimal",
-            ));
-        }
-    }
-    Ok(Coordinates::Numerals(mesh.map(|x| double(x).unwrap_or_else(|| Numeral::from_i64(0)))))
 }
 
 impl Input {

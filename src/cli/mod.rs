@@ -1,4 +1,4 @@
-//! Floor 9: the command line. Parse, one call of the library, print, exit code; no geometry.
+//! Floor 10: the command line. Parse, one call of the library, print, exit code; no geometry.
 
 mod arguments;
 mod check;

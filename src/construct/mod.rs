@@ -1,4 +1,4 @@
-//! Floor 5: exact families of meshes.
+//! Floor 6: exact families of meshes.
 
 mod circular_net;
 mod metric_dual;

@@ -1,4 +1,4 @@
-//! Floor 3: classes of mesh, one file each: definition, residual, and what is undefined.
+//! Floor 4: classes of mesh, one file each: definition, residual, and what is undefined.
 //!
 //! | property | element | residual vanishes iff |
 //! | --- | --- | --- |

@@ -12,6 +12,10 @@ use super::{Ordered, Ring, Sign};
 /// `f64` the radius also takes up the rounding of the midpoint. A NaN or infinite radius stands
 /// for "anything".
 ///
+/// `==` compares midpoints and radii; whether two unknown numbers are equal is asked by
+/// [`certain_sign`](Ordered::certain_sign) of the difference. So `a == b` does not imply that
+/// `partial_cmp` answers `Equal`: it does so only where both balls are single numbers.
+///
 /// ```
 /// use isogeo::scalar::{Ball, Sign, Ordered};
 /// let x = Ball::new(2.0, 0.5);
@@ -75,15 +79,20 @@ impl Ball<f64> {
     /// A ball about a rational number.
     pub fn around<Q: RationalField>(q: &Q) -> Self {
         let mid = q.to_f64();
-        // `to_f64` is within one unit in the last place.
-        Ball { mid, radius: mid.abs() * 2.0 * f64::EPSILON + f64::MIN_POSITIVE }
+        // `to_f64` rounds once.
+        let radius = if q.is_zero() { 0.0 } else { f64::outward(0.0, &mid) };
+        Ball { mid, radius }
     }
 
     /// The square roots; a ball that reaches below 0 is cut there, one that lies below has none.
+    /// "Anything" (a NaN or infinite ball) has any root.
     pub fn sqrt(&self) -> Option<Self> {
         let (low, high) = (self.mid - self.radius, self.mid + self.radius);
-        if high < 0.0 || high.is_nan() {
+        if high < 0.0 {
             return None;
+        }
+        if !low.is_finite() || !high.is_finite() {
+            return Some(Ball { mid: 0.0, radius: f64::INFINITY });
         }
         let (low, high) = (low.next_down().max(0.0).sqrt(), high.next_up().sqrt());
         let mid = 0.5 * (low + high);
@@ -125,7 +134,9 @@ impl<T: Midpoint> Ring for Ball<T> {
 
     fn from_i64(n: i64) -> Self {
         let mid = T::from_i64(n);
-        let radius = T::outward(T::zero(), &mid);
+        // Integers of 53 bits are exact in `f64` too, so 0 and 1 are what a ring asks of them.
+        let exact = n.unsigned_abs() <= 1 << 53;
+        let radius = if exact { T::zero() } else { T::outward(T::zero(), &mid) };
         Ball { mid, radius }
     }
 
@@ -138,6 +149,9 @@ impl<T: Midpoint> Ring for Ball<T> {
 impl<T: Midpoint> PartialOrd for Ball<T> {
     /// The order where all numbers of one ball are below all of the other, else `None`.
     fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        if self.radius.is_zero() && other.radius.is_zero() {
+            return self.mid.partial_cmp(&other.mid);
+        }
         match (self - other).certain_sign()? {
             Sign::Negative => Some(std::cmp::Ordering::Less),
             Sign::Zero => Some(std::cmp::Ordering::Equal),
@@ -147,6 +161,11 @@ impl<T: Midpoint> PartialOrd for Ball<T> {
 }
 
 impl<T: Midpoint> Ordered for Ball<T> {
+    /// All `|x|`: they are within the same radius of `|mid|`, also where the ball contains 0.
+    fn magnitude(&self) -> Self {
+        Ball { mid: self.mid.magnitude(), radius: self.radius.clone() }
+    }
+
     fn certain_sign(&self) -> Option<Sign> {
         if self.is_zero() {
             Some(Sign::Zero)

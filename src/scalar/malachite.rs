@@ -71,7 +71,7 @@ impl Approx for Rational {
     fn to_f64(&self) -> f64 {
         match self.small_fraction() {
             // Both are exact in f64, so one division rounds once.
-            Some((p, q)) if p.abs() < 1 << 53 && q < 1 << 53 => p as f64 / q as f64,
+            Some((p, q)) if p.unsigned_abs() <= 1 << 53 && q <= 1 << 53 => p as f64 / q as f64,
             _ => ratio_to_f64(&self.numerator(), &self.denominator()),
         }
     }
@@ -94,9 +94,9 @@ impl RationalField for Rational {
     }
 
     fn small_fraction(&self) -> Option<(i64, i64)> {
-        let p = i64::try_from(self.numerator_ref()).ok()?;
+        let p = i128::from(u64::try_from(self.numerator_ref()).ok()?);
         let q = i64::try_from(self.denominator_ref()).ok()?;
-        Some((if *self < 0u32 { -p } else { p }, q))
+        Some((i64::try_from(if *self < 0u32 { -p } else { p }).ok()?, q))
     }
 }
 

@@ -5,6 +5,9 @@
 //! | [`Rational`] | ℚ, the program's own (malachite) | yes | yes |
 //! | [`BigRational`] | ℚ again (num-rational): the oracle of the first | yes | yes |
 //! | [`BigInt`] | ℤ: fractions cleared | yes | yes |
+//! | [`Quadratic`] | `a + b √D` over another: regular hexagons and octagons | where `T` has one | as `T` |
+//! | [`Dual`] | value and first derivatives over another; nests | no | as `T` |
+//! | [`Prime61`] | integers modulo the prime 2^61 − 1: fast identity tests | no | yes |
 //! | [`Residue`] | ℤ/2^(64 W): zero tests under a bound | no | yes |
 //! | `f64` | doubles | yes | no |
 //! | [`Ball`] | rigorous enclosures, over `f64` or `BigInt` | where disjoint | no |
@@ -14,6 +17,7 @@
 //! [`Numeral`] is not a scalar: it is a number as a file prints it.
 
 mod ball;
+mod dual;
 mod float;
 mod integer;
 mod magnitude;
@@ -21,17 +25,22 @@ mod magnitude;
 mod malachite;
 mod numeral;
 mod order;
+mod prime;
+mod quadratic;
 mod rational;
 mod residue;
 pub(crate) mod ring;
 mod variation;
 
 pub use ball::{Ball, Midpoint};
+pub use dual::Dual;
 pub use magnitude::Magnitude;
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
 pub use numeral::{Base, Numeral, NumeralError, ReadAs};
 pub use order::{Approx, Ordered, Sign};
+pub use prime::Prime61;
+pub use quadratic::Quadratic;
 pub(crate) use rational::ratio_to_f64;
 pub use rational::{Rational, RationalField};
 pub use residue::Residue;

@@ -123,8 +123,8 @@ impl Numeral {
         let mut numeral = Numeral::from_f64(x.into())?;
         if let Mantissa::Small(m) = &mut numeral.mantissa {
             // A float has 29 bits less than a double; below its normal range the unit is 2^-149.
-            let drop = 29.max(-149 - numeral.exponent).min(62);
-            *m >>= drop;
+            let drop = 29.max(-149 - numeral.exponent);
+            *m >>= drop.min(62); // 0 where more is dropped
             numeral.exponent += drop;
         }
         Some(numeral)
@@ -261,9 +261,6 @@ impl std::str::FromStr for Numeral {
             let size = BigInt::parse_bytes(&digits, 10).ok_or(NumeralError::Syntax)?;
             Mantissa::Big(Box::new(if negative { -size } else { size }))
         };
-        if matches!(&mantissa, Mantissa::Big(m) if m.sign() == num_bigint::Sign::NoSign) {
-            return Ok(Numeral { mantissa: Mantissa::Small(0), exponent, base: Base::Ten });
-        }
         Ok(Numeral { mantissa, exponent, base: Base::Ten })
     }
 }

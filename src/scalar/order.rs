@@ -27,6 +27,7 @@ pub trait Ordered: Ring + PartialOrd {
 
 /// A number with an approximate value for display, for starting values and for scales.
 pub trait Approx: Ring {
-    /// The nearest `f64`, within one unit in the last place.
+    /// The nearest `f64`: correctly rounded for integers and rationals, within the error that
+    /// the type states for others; infinite beyond the range of `f64`.
     fn to_f64(&self) -> f64;
 }

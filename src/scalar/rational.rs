@@ -48,6 +48,11 @@ impl Ring for BigRational {
         self.numer().sign() == num_bigint::Sign::NoSign
     }
 
+    /// The square of a fraction in lowest terms is in lowest terms.
+    fn square(&self) -> Self {
+        BigRational::new_raw(self.numer() * self.numer(), self.denom() * self.denom())
+    }
+
     fn det2(a: &Self, b: &Self, c: &Self, d: &Self) -> Self {
         let sum = unreduced_sum([(a, d, false), (b, c, true)]);
         reduced(sum.0, sum.1)
@@ -147,19 +152,29 @@ pub(super) fn sign_of(n: &BigInt) -> Sign {
     }
 }
 
-/// `p / q` within one unit in the last place, for any sizes; overflow gives an infinity.
+/// The `f64` nearest to `p / q` (ties to even), for any sizes; overflow gives an infinity.
 pub(crate) fn ratio_to_f64(p: &BigInt, q: &BigInt) -> f64 {
     if p.is_zero() {
         return 0.0;
     }
-    // A quotient of 64 to 66 bits, then a power of two.
+    // A quotient of 65 or 66 bits; its last bit also stands for the remainder.
     let shift = 65 - (p.bits() as i64 - q.bits() as i64);
-    let quotient =
-        if shift >= 0 { (p.abs() << shift as u64) / q } else { p.abs() / (q << (-shift) as u64) };
-    let value = scale_by_power_of_two(
-        quotient.to_u64_digits().1.iter().rev().fold(0.0, |v, d| v * 2f64.powi(64) + *d as f64),
-        -shift,
-    );
+    let (quotient, rest) = if shift >= 0 {
+        (p.abs() << shift as u64).div_rem(q)
+    } else {
+        p.abs().div_rem(&(q << (-shift) as u64))
+    };
+    let digits = quotient.to_u64_digits().1;
+    let quotient = digits.iter().rev().fold(0u128, |n, d| n << 64 | u128::from(*d))
+        | u128::from(!rest.is_zero());
+    // The unit of the result is 2^exponent: 53 bits, or the smallest double.
+    let bits = i64::from(u128::BITS - quotient.leading_zeros());
+    let exponent = (bits - shift - 53).max(-1074);
+    let dropped = (exponent + shift).min(70) as u32;
+    let (mantissa, tail, half) =
+        (quotient >> dropped, quotient & ((1 << dropped) - 1), 1 << (dropped - 1));
+    let up = tail > half || (tail == half && mantissa & 1 == 1);
+    let value = scale_by_power_of_two((mantissa + u128::from(up)) as f64, exponent);
     if p.is_negative() { -value } else { value }
 }
 
@@ -167,7 +182,8 @@ pub(crate) fn ratio_to_f64(p: &BigInt, q: &BigInt) -> f64 {
 pub(crate) fn scale_by_power_of_two(mut x: f64, mut e: i64) -> f64 {
     while e != 0 && x != 0.0 && x.is_finite() {
         let step = e.clamp(-1000, 1000);
-        x *= 2f64.powi(step as i32);
+        // The bits of 2^step.
+        x *= f64::from_bits(((1023 + step) as u64) << 52);
         e -= step;
     }
     x

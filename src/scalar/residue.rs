@@ -1,5 +1,7 @@
 //! The ring ℤ/2^(64 W): integers of which only the lowest `64 W` bits are kept.
 
+use std::array::from_fn;
+
 use num_bigint::BigInt;
 
 use super::ring::ring_operators;
@@ -38,6 +40,7 @@ impl<const W: usize> Residue<W> {
     /// The residue of an `i128`.
     #[inline]
     pub fn from_i128(n: i128) -> Self {
+        const { assert!(W > 0, "a residue has at least one word") };
         let fill = if n < 0 { u64::MAX } else { 0 };
         let mut words = [fill; W];
         words[0] = n as u64;
@@ -61,28 +64,24 @@ impl<const W: usize> Residue<W> {
 
 #[inline]
 fn add<const W: usize>(a: &Residue<W>, b: &Residue<W>) -> Residue<W> {
-    let mut sum = [0; W];
     let mut carry = false;
-    for i in 0..W {
+    Residue(from_fn(|i| {
         let (s, c1) = a.0[i].overflowing_add(b.0[i]);
         let (s, c2) = s.overflowing_add(carry as u64);
-        sum[i] = s;
         carry = c1 | c2;
-    }
-    Residue(sum)
+        s
+    }))
 }
 
 #[inline]
 fn subtract<const W: usize>(a: &Residue<W>, b: &Residue<W>) -> Residue<W> {
-    let mut difference = [0; W];
     let mut borrow = false;
-    for i in 0..W {
+    Residue(from_fn(|i| {
         let (d, b1) = a.0[i].overflowing_sub(b.0[i]);
         let (d, b2) = d.overflowing_sub(borrow as u64);
-        difference[i] = d;
         borrow = b1 | b2;
-    }
-    Residue(difference)
+        d
+    }))
 }
 
 #[inline]

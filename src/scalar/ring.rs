@@ -47,8 +47,7 @@ impl<T, R> DivRef<T> for R where R: Copy + Div<Output = T> + Div<T, Output = T> 
 ///
 /// The operators take values or references in any mix. The kernels ([`det2`](Ring::det2),
 /// [`dot`](Ring::dot), [`square`](Ring::square)) equal their formulas; an instance overrides them
-/// where one fused step is cheaper (one reduction of a fraction instead of many) or tighter (the
-/// square of an enclosure).
+/// where one fused step is cheaper (one reduction of a fraction instead of many).
 ///
 /// ```
 /// use isogeo::scalar::Ring;

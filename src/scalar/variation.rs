@@ -33,20 +33,20 @@ fn up(x: f64) -> f64 {
 }
 
 fn add(a: &Variation, b: &Variation) -> Variation {
-    Variation { centre: &a.centre + &b.centre, spread: up(a.spread + b.spread) }
+    Variation { centre: a.centre + b.centre, spread: up(a.spread + b.spread) }
 }
 
 fn subtract(a: &Variation, b: &Variation) -> Variation {
-    Variation { centre: &a.centre - &b.centre, spread: up(a.spread + b.spread) }
+    Variation { centre: a.centre - b.centre, spread: up(a.spread + b.spread) }
 }
 
 fn multiply(a: &Variation, b: &Variation) -> Variation {
     let spread = (a.size() + a.spread) * b.spread + b.size() * a.spread;
-    Variation { centre: &a.centre * &b.centre, spread: up(spread) }
+    Variation { centre: a.centre * b.centre, spread: up(spread) }
 }
 
 ring_operators!([] Variation, add, subtract, multiply, |a: &Variation| Variation {
-    centre: -&a.centre,
+    centre: -a.centre,
     spread: a.spread
 });
 

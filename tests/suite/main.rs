@@ -2,7 +2,9 @@
 
 #[cfg(feature = "cli")]
 mod cli;
+mod examples;
 mod files;
+mod house;
 mod meshes;
 mod nets;
 mod scalars;

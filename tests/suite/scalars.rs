@@ -1,1 +1,16 @@
-//! To be filled.
+//! Floor 0, numbers: the laws that every instance obeys, their agreement with each other, and one
+//! named case for every error that was found.
+
+mod agreement;
+mod balls;
+mod derivatives;
+mod expression;
+mod laws;
+mod liar;
+mod numerals;
+mod obedience;
+mod prime;
+mod quadratics;
+mod rounding;
+mod samples;
+mod variations;

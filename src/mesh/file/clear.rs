@@ -32,10 +32,10 @@ impl<Q> Cleared<Q> {
 
 /// Multiplies x and y by `D` and z by `D²`, such that all coordinates become integers.
 ///
-/// This is an i-similarity; it turns the unit i-sphere `2z = x² + y²` into itself. `D` is the
-/// least such number if no prime above 10,000 divides a denominator of z more than once next to
-/// others of the kind (to be sure in all cases, one would have to factor integers of any size); it
-/// always fits. `None` if `D` would have more than 10,000 digits.
+/// This is an i-similarity; it turns the unit i-sphere `2z = x² + y²` into itself. `D`
+/// always fits. It is the least such number unless several primes above 10,000 divide the
+/// denominators of z to different powers: to be sure then, one would have to factor integers of
+/// any size. `None` if `D` would have more than 10,000 digits.
 pub fn clear_denominators<Q: RationalField>(mesh: &Mesh<Q>) -> Option<Cleared<Q>> {
     let common = |denominators: &mut dyn Iterator<Item = &Q>| {
         let mut lcm = BigInt::one();
@@ -90,7 +90,7 @@ fn half_root(mut n: BigInt) -> BigInt {
         }
     }
     // What is left has only large factors; a power of one of them is found.
-    let most = u32::try_from(n.bits() / 13).unwrap_or(u32::MAX);
+    let most = u32::try_from(n.bits() / 13).map_or(64, |most| most.min(64));
     let power = (2..=most).rev().find_map(|power| {
         let base = n.nth_root(power);
         (base.clone().pow(power) == n).then(|| base.pow(power.div_ceil(2)))

@@ -38,38 +38,37 @@ struct Document {
     vertices: Vec<Vertex>,
     faces: Vec<Vec<u32>>,
     #[serde(default)]
-    data: Arrays<Vec<Number>>,
+    data: Named<Of, Named<String, Vec<Number>>>,
     certificate: Option<serde_json::Value>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, bound = "T: Deserialize<'de>")]
-struct Arrays<T> {
-    #[serde(default)]
-    vertex: Named<T>,
-    #[serde(default)]
-    face: Named<T>,
-}
-
-impl<T> Default for Arrays<T> {
-    fn default() -> Self {
-        Arrays { vertex: Named(BTreeMap::new()), face: Named(BTreeMap::new()) }
-    }
+/// What an array of data belongs to.
+#[derive(Deserialize, PartialEq, Eq, PartialOrd, Ord)]
+#[serde(rename_all = "lowercase")]
+enum Of {
+    Vertex,
+    Face,
 }
 
 struct Number(Rational);
 struct Vertex(Point<Rational>);
-/// A map in which no name comes twice.
-struct Named<T>(BTreeMap<String, T>);
+/// An object in which no name comes twice.
+struct Named<K, T>(BTreeMap<K, T>);
 
-impl<T> Default for Named<T> {
+impl<K, T> Default for Named<K, T> {
     fn default() -> Self {
         Named(BTreeMap::new())
     }
 }
 
 pub(super) fn read(source: &Source<'_>) -> Result<MeshFile, FileError> {
-    let document: Document =
+    if source.bytes.trim_ascii_start().first().is_some_and(|byte| *byte != b'{') {
+        // A derived reader would also take the members as an array.
+        let start = source.bytes.len() - source.bytes.trim_ascii_start().len();
+        let label = "expected an object {\"format\":\"isogeo-mesh\", ...}";
+        return Err(source.error("syntax", start..start + 1, "not an .iso.json file", label));
+    }
+    let mut document: Document =
         serde_json::from_slice(source.bytes).map_err(|error| no_document(source, &error))?;
     let mut faces = FaceList::new();
     for face in document.faces {
@@ -84,8 +83,8 @@ pub(super) fn read(source: &Source<'_>) -> Result<MeshFile, FileError> {
     })?;
     let counts = (mesh.topology.vertex_count(), mesh.topology.face_count());
     mesh.data = Data {
-        vertex: fitting(source, document.data.vertex, "vertex", counts.0)?,
-        face: fitting(source, document.data.face, "face", counts.1)?,
+        vertex: fitting(source, document.data.0.remove(&Of::Vertex), "vertex", counts.0)?,
+        face: fitting(source, document.data.0.remove(&Of::Face), "face", counts.1)?,
     };
     Ok(MeshFile {
         name: source.name.to_owned(),
@@ -99,7 +98,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<MeshFile, FileError> {
 
 fn fitting(
     source: &Source<'_>,
-    arrays: Named<Vec<Number>>,
+    arrays: Option<Named<String, Vec<Number>>>,
     of: &str,
     count: usize,
 ) -> Result<BTreeMap<String, Vec<Rational>>, FileError> {
@@ -111,7 +110,7 @@ fn fitting(
         let span = find_array(source.bytes, of, &name).unwrap_or(0..source.bytes.len());
         Err(source.error("data", span, message, format!("expected {count}, one for every {of}")))
     };
-    arrays.0.into_iter().map(fit).collect()
+    arrays.unwrap_or_default().0.into_iter().map(fit).collect()
 }
 
 /// The error of the parser with its place, which is the last byte or string it has taken.
@@ -134,7 +133,7 @@ fn no_document(source: &Source<'_>, error: &serde_json::Error) -> FileError {
     let error = source.error(kind, start.unwrap_or(end.saturating_sub(1))..end, message, "");
     if message.starts_with("invalid type: integer") || message.starts_with("invalid type: float") {
         error.help("exact numbers are strings: \"1/3\", \"-2\"")
-    } else if message.starts_with("unknown field") {
+    } else if message.starts_with("unknown ") {
         error.help("other information belongs under \"certificate\"")
     } else {
         error
@@ -256,24 +255,31 @@ impl<'de> Deserialize<'de> for Vertex {
     }
 }
 
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for Named<T> {
+impl<'de, K, T> Deserialize<'de> for Named<K, T>
+where
+    K: Deserialize<'de> + Ord,
+    T: Deserialize<'de>,
+{
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Unique<T>(PhantomData<T>);
-        impl<'de, T: Deserialize<'de>> Visitor<'de> for Unique<T> {
-            type Value = Named<T>;
+        struct Unique<K, T>(PhantomData<(K, T)>);
+        impl<'de, K, T> Visitor<'de> for Unique<K, T>
+        where
+            K: Deserialize<'de> + Ord,
+            T: Deserialize<'de>,
+        {
+            type Value = Named<K, T>;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                write!(f, "an object of arrays")
+                write!(f, "an object")
             }
 
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Named<T>, A::Error> {
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
                 let mut named = BTreeMap::new();
-                while let Some(name) = map.next_key::<String>()? {
+                while let Some(name) = map.next_key()? {
                     match named.entry(name) {
                         Entry::Vacant(entry) => entry.insert(map.next_value()?),
-                        Entry::Occupied(entry) => {
-                            let message = format!("a second array {:?}", entry.key());
-                            return Err(de::Error::custom(message));
+                        Entry::Occupied(_) => {
+                            return Err(de::Error::custom("a name that was there before"));
                         }
                     };
                 }

@@ -43,7 +43,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::mesh::Mesh;
-use crate::scalar::{Numeral, Rational, RationalField, ReadAs};
+use crate::scalar::{Numeral, Rational, ReadAs};
 
 pub use clear::{Cleared, clear_denominators};
 pub use error::{FileError, Place};
@@ -125,6 +125,30 @@ impl MeshFile {
         if self.exact { ReadAs::Decimal } else { ReadAs::Rounded }
     }
 
+    /// The file with every printed number replaced by its nearest double. Fractions are what they
+    /// are.
+    ///
+    /// # Errors
+    /// A coordinate beyond the range of doubles.
+    pub fn into_doubles(mut self) -> Result<MeshFile, FileError> {
+        if let Coordinates::Numerals(mesh) = &mut self.coordinates {
+            for (vertex, point) in mesh.points.iter_mut().enumerate() {
+                for number in [&mut point.x, &mut point.y, &mut point.z] {
+                    let Some(double) = Numeral::from_f64(number.nearest_f64()) else {
+                        let message = format!(
+                            "a coordinate of vertex {vertex} is beyond the range of doubles"
+                        );
+                        let format = self.format.name();
+                        return Err(FileError::new("not-finite", format, &self.name, message)
+                            .help("read the file with --read-as decimal"));
+                    };
+                    *number = double;
+                }
+            }
+        }
+        Ok(self)
+    }
+
     /// The mesh in exact numbers.
     ///
     /// `Decimal` and `Rounded` give the printed value, `Double` the nearest double. Fractions are
@@ -138,19 +162,8 @@ impl MeshFile {
             (Coordinates::Numerals(mesh), ReadAs::Decimal | ReadAs::Rounded) => {
                 Ok(mesh.map(Numeral::value))
             }
-            (Coordinates::Numerals(mesh), ReadAs::Double) => {
-                let is_finite = |x: &&Numeral| x.nearest_f64().is_finite();
-                let bad = |p: &crate::space::Point<Numeral>| !p.coordinates().iter().all(is_finite);
-                match mesh.points.iter().position(bad) {
-                    None => Ok(mesh.map(nearest_double)),
-                    Some(vertex) => {
-                        let message = format!(
-                            "a coordinate of vertex {vertex} is beyond the range of doubles"
-                        );
-                        Err(FileError::new("not-finite", self.format.name(), &self.name, message)
-                            .help("read the file with --read-as decimal"))
-                    }
-                }
+            (Coordinates::Numerals(_), ReadAs::Double) => {
+                self.clone().into_doubles()?.to_exact(ReadAs::Decimal)
             }
         }
     }
@@ -162,11 +175,6 @@ impl MeshFile {
             Coordinates::Rationals(mesh) => &mesh.topology,
         }
     }
-}
-
-/// The exact value of the nearest double, which the caller knows to be finite.
-fn nearest_double<Q: RationalField>(x: &Numeral) -> Q {
-    Numeral::from_f64(x.nearest_f64()).map_or_else(Q::zero, |double| double.value())
 }
 
 /// Reads a mesh from a file; its name says the format.

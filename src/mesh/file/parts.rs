@@ -71,7 +71,7 @@ impl Parts {
         };
         let number = u64::from(vertex) + u64::from(base);
         let span = find_index(source, start, number).unwrap_or_else(|| source.rest_of_line(start));
-        let message = format!("there is no vertex {number}: the file has {vertices} vertices");
+        let message = format!("there is no vertex {number}, the file has {vertices} vertices");
         if vertices == 0 {
             return source.error(kind, span, message, "expected no face");
         }

@@ -51,6 +51,8 @@ impl Scalar {
     }
 }
 
+// Only binary data are read by their types.
+#[cfg_attr(not(feature = "ply"), allow(dead_code))]
 pub(super) enum Kind {
     Scalar(Scalar),
     /// The type of the length, the type of the members.
@@ -351,7 +353,8 @@ fn read_text<'a>(
                 let numeral = |p: usize| source.numeral(numbers[p]);
                 parts.points.push(Point::new(numeral(x)?, numeral(y)?, numeral(z)?));
             }
-            Role::Face(_) => parts.push_face(first.start, &corners),
+            // From the length on, so that the corners are found again.
+            Role::Face(list) => parts.push_face(numbers[list].start, &corners),
             Role::Other => {}
         }
         cursor.next_line();

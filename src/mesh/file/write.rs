@@ -53,10 +53,10 @@ pub fn write<Q: RationalField>(
     Ok(written)
 }
 
-/// The text of the file that [`write`] makes; `name` is for error messages.
+/// The text of the file that [`write()`] makes; `name` is for error messages.
 ///
 /// # Errors
-/// As for [`write`], without the file system.
+/// As for [`write()`], without the file system.
 pub fn write_string<Q: RationalField>(
     name: &str,
     format: Format,
