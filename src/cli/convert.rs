@@ -12,7 +12,8 @@ pub fn run(options: &ConvertOptions, layout: Layout) -> Result<Status, Failure> 
     let mut notes = input.file.notes.clone();
     notes.remove("coords");
     let certificate = input.file.certificate.clone();
-    let mut write = Options { digits: options.digits, notes, certificate };
+    let rounded = input.is_rounded();
+    let mut write = Options { digits: options.digits, rounded, notes, certificate };
     if options.clear_denominators {
         let cleared = clear_denominators(&mesh).ok_or_else(|| {
             Failure::with_help(
@@ -22,6 +23,8 @@ pub fn run(options: &ConvertOptions, layout: Layout) -> Result<Status, Failure> 
         })?;
         write.notes = cleared.notes();
         write.certificate = None;
+        // Integers scaled by D and D² no longer show how far they can be trusted.
+        write.rounded = false;
         mesh = cleared.mesh;
     }
     output::write(&options.output, &mesh, &write, layout)?;

@@ -22,7 +22,10 @@ pub fn read(options: &InputOptions) -> Result<Input, Failure> {
     let bar = output::progress(bytes / 50, "reading");
     let mut file = file::read(&options.mesh)?;
     bar.finish_and_clear();
-    let read_as = options.read_as.map_or(file.default_reading(), ReadAs::from);
+    let read_as = match &file.coordinates {
+        Coordinates::Rationals(_) => ReadAs::Decimal,
+        Coordinates::Numerals(_) => options.read_as.map_or(file.default_reading(), ReadAs::from),
+    };
     if read_as == ReadAs::Double {
         file = file.into_doubles()?;
     }
@@ -33,6 +36,11 @@ impl Input {
     /// The combinatorics.
     pub fn topology(&self) -> &Topology {
         self.file.topology()
+    }
+
+    /// Whether the numbers stand for boxes, so that no file made of them may call itself exact.
+    pub fn is_rounded(&self) -> bool {
+        self.read_as == ReadAs::Rounded
     }
 
     /// The mesh in exact numbers; a rounded number is taken as it is printed.
@@ -47,7 +55,9 @@ impl Input {
     pub fn decider(&self) -> Decider<'_> {
         match (&self.file.coordinates, self.read_as) {
             (Coordinates::Rationals(mesh), _) => Decider::of_rationals(&mesh.points),
-            (Coordinates::Numerals(mesh), ReadAs::Rounded) => Decider::over_boxes(&mesh.points),
+            (Coordinates::Numerals(mesh), _) if self.is_rounded() => {
+                Decider::over_boxes(&mesh.points)
+            }
             (Coordinates::Numerals(mesh), _) => Decider::new(&mesh.points),
         }
     }

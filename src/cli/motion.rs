@@ -29,7 +29,8 @@ pub fn run(options: &MoveOptions, layout: Layout) -> Result<Status, Failure> {
     }
     let input = input::read(&options.input)?;
     let moved = motion.apply(&input.exact());
-    output::write(&options.output.output, &moved, &Options::default(), layout)?;
+    let write = Options { rounded: input.is_rounded(), ..Options::default() };
+    output::write(&options.output.output, &moved, &write, layout)?;
     Ok(Status::Proved)
 }
 

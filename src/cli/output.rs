@@ -59,7 +59,13 @@ pub fn write(
             "data_kept": keeps_data(path, mesh),
         }))
     } else {
-        let how = if exact { "exactly" } else { "rounded; .iso.json would be exact" };
+        let is_json = Format::from_path(path) == Some(Format::IsoJson);
+        let how = match (exact, options.rounded) {
+            (true, true) if is_json => "exactly: the printed decimals as they stand",
+            (true, true) => "as printed; the numbers stay rounded",
+            (true, false) => "exactly",
+            (false, _) => "rounded; .iso.json would be exact",
+        };
         let size = format!("{}, {}", words::vertices(vertices), words::count(faces, "face"));
         let kept = if keeps_data(path, mesh) { "" } else { "; its data are left out" };
         print(&format!("{}: {size}, written {how}{kept}\n", path.display()))

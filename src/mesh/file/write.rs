@@ -15,6 +15,9 @@ use crate::scalar::RationalField;
 pub struct Options {
     /// Decimals with so many significant digits, where the format has decimals.
     pub digits: Option<NonZeroU16>,
+    /// Whether the numbers of the mesh are themselves rounded, as those of a file from the world are:
+    /// then the file does not say that they are exact, however exactly they are written.
+    pub rounded: bool,
     /// `key=value` pairs for the header line of OBJ, OFF and PLY; `coords` is set by the writer.
     pub notes: BTreeMap<String, String>,
     /// What stands under `certificate` in an `.iso.json` file.
@@ -24,7 +27,8 @@ pub struct Options {
 /// Whether the coordinates in a file are those of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Written {
-    /// Every coordinate was written exactly, and the file says so where the format lets it.
+    /// Every coordinate was written exactly, and the file says so where the format lets it and the
+    /// numbers are not rounded themselves.
     Exact,
     /// At least one coordinate was rounded.
     Rounded,
@@ -177,7 +181,7 @@ impl Text<'_> {
     /// `prefix`, or nothing if there is nothing to say.
     pub fn note(&self, prefix: &str, written: Written) -> Result<String, FileError> {
         let mut line = String::new();
-        if written == Written::Exact {
+        if written == Written::Exact && !self.options.rounded {
             line.push_str(" coords=exact");
         }
         for (key, value) in self.options.notes.iter().filter(|(key, _)| *key != "coords") {

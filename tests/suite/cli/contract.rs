@@ -190,3 +190,19 @@ fn a_report_that_is_lost_is_an_error() {
         assert!(String::from_utf8_lossy(&output.stderr).contains("cannot be printed"));
     }
 }
+
+#[test]
+fn converting_a_rounded_file_does_not_make_it_exact() {
+    // Found by converting a real mesh: `consistent` became `refuted` on the way through OBJ.
+    let shell = Shell::new();
+    shell.file("a.obj", "v 0.33 0 0\nv 1 0 0\nv 1 1 0\nv 0.67 1.01 0.01\nf 1 2 3 4\n");
+    assert_eq!(shell.line("check a.obj --is planar").code, 3);
+    for out in ["b.obj", "b.off", "b.ply"] {
+        assert_eq!(shell.line(&format!("convert a.obj {out}")).code, 0);
+        assert_eq!(shell.line(&format!("check {out} --is planar")).code, 3, "{out}");
+        assert!(!shell.cat(out).contains("coords=exact"), "{out}");
+        assert_eq!(shell.line(&format!("convert a.obj {out} --read-as decimal")).code, 0);
+        assert_eq!(shell.line(&format!("check {out} --is planar")).code, 1, "{out}");
+        assert!(shell.cat(out).contains("coords=exact"), "{out}");
+    }
+}
