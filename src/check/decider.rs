@@ -8,7 +8,7 @@ use super::report::Failure;
 use super::residual::{Answer, Decide, Residual, RootSum};
 use super::roots::vanish;
 use crate::mesh::VertexId;
-use crate::scalar::{Ball, Base, Numeral, Rational, RationalField, Ring, Sign, Variation};
+use crate::scalar::{Ball, Base, Numeral, Ordered, Rational, RationalField, Ring, Sign, Variation};
 use crate::space::Point;
 
 /// Decides residuals exactly, whatever the size of the numbers, in integers as narrow as a bound
@@ -173,6 +173,14 @@ impl Decide for Decider<'_> {
         self.sign_of(residual, at)
     }
 
+    fn sign_of_sum<const K: usize>(
+        &self,
+        residual: impl Residual<K>,
+        places: &[[VertexId; K]],
+    ) -> (Sign, bool) {
+        self.sign_of_sum_of(residual, places)
+    }
+
     fn decide_roots<const K: usize, const TERMS: usize>(
         &self,
         sum: impl RootSum<K, TERMS>,
@@ -245,6 +253,36 @@ impl Decider<'_> {
         let local = self.local(at, R::TRANSLATES);
         let sign = either!(&local, c => c.sign(residual));
         let certain = self.boxes.is_none_or(|boxes| self.excluded(boxes, residual, at, &local));
+        (sign, certain)
+    }
+
+    fn sign_of_sum_of<const K: usize, R: Residual<K>>(
+        &self,
+        residual: R,
+        places: &[[VertexId; K]],
+    ) -> (Sign, bool) {
+        let signs: Vec<_> = places.iter().map(|&at| self.sign_of(residual, at)).collect();
+        let has = |sign| signs.iter().any(|&(s, _)| s == sign);
+        let sign = match (has(Sign::Positive), has(Sign::Negative)) {
+            (false, false) => Sign::Zero,
+            (true, false) => Sign::Positive,
+            (false, true) => Sign::Negative,
+            (true, true) => {
+                let value = |&at| residual.eval(&self.exact(at), &Rational::one());
+                let sum = places.iter().map(value).fold(Rational::zero(), |sum, v| sum + v);
+                sum.certain_sign().unwrap_or(Sign::Zero)
+            }
+        };
+        let certain = self.boxes.is_none_or(|boxes| {
+            // Terms that keep one sign in the box have a sum that does; else they are added up.
+            signs.iter().all(|&s| s == (sign, true)) || {
+                let term = |at: &[VertexId; K]| {
+                    let points = at.map(|v| boxes[v.index()].map(Variation::of));
+                    residual.eval(&points, &Variation::one()).enclosure()
+                };
+                places.iter().map(term).fold(Ball::zero(), |sum, t| sum + t).excludes_zero()
+            }
+        });
         (sign, certain)
     }
 

@@ -4,7 +4,7 @@ use super::report::Failure;
 use super::residual::{Answer, Decide, Residual, RootSum};
 use super::roots::vanish_over;
 use crate::mesh::VertexId;
-use crate::scalar::{Magnitude, Ordered, RationalField, Sign};
+use crate::scalar::{Magnitude, Ordered, RationalField, Ring, Sign};
 use crate::space::Point;
 
 /// Decides by evaluation in an exact field: the definition that the fast way is held against.
@@ -25,6 +25,15 @@ pub struct Observed<'a> {
 
 fn at<T: Clone, const K: usize>(points: &[Point<T>], at: [VertexId; K]) -> [Point<T>; K] {
     at.map(|v| points[v.index()].clone())
+}
+
+fn sum<R: Ring, const K: usize>(
+    points: &[Point<R>],
+    residual: impl Residual<K>,
+    places: &[[VertexId; K]],
+) -> R {
+    let value = |&v| residual.eval(&at(points, v), &R::one());
+    places.iter().map(value).fold(R::zero(), |sum, value| sum + value)
 }
 
 /// `|value| / scale`; where every term is zero, so is the value.
@@ -91,6 +100,15 @@ impl<Q: RationalField> Decide for Plain<'_, Q> {
         (value.certain_sign().unwrap_or(Sign::Zero), true)
     }
 
+    fn sign_of_sum<const K: usize>(
+        &self,
+        residual: impl Residual<K>,
+        places: &[[VertexId; K]],
+    ) -> (Sign, bool) {
+        let value = sum(self.0, residual, places);
+        (value.certain_sign().unwrap_or(Sign::Zero), true)
+    }
+
     fn decide_roots<const K: usize, const TERMS: usize>(
         &self,
         sum: impl RootSum<K, TERMS>,
@@ -147,6 +165,15 @@ impl Decide for Observed<'_> {
 
     fn sign<const K: usize>(&self, residual: impl Residual<K>, v: [VertexId; K]) -> (Sign, bool) {
         let value = residual.eval(&at(self.points, v), &1.0);
+        (value.certain_sign().unwrap_or(Sign::Zero), false)
+    }
+
+    fn sign_of_sum<const K: usize>(
+        &self,
+        residual: impl Residual<K>,
+        places: &[[VertexId; K]],
+    ) -> (Sign, bool) {
+        let value = sum(self.points, residual, places);
         (value.certain_sign().unwrap_or(Sign::Zero), false)
     }
 

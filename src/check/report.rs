@@ -36,6 +36,8 @@ pub enum Reason {
     VerticalFace(FaceId),
     /// All points of the face lie on a line, so it has no plane.
     CollinearFace(FaceId),
+    /// The oriented area of the face is zero, so it has no normal that could be oriented.
+    NoOrientation(FaceId),
     /// The ends of the edge have the same top view.
     IsotropicEdge,
     /// The top view of the face is not strictly convex.
@@ -54,6 +56,13 @@ impl fmt::Display for Reason {
             }
             Reason::CollinearFace(face) => {
                 write!(f, "face {} has no plane: its points lie on a line", face.0)
+            }
+            Reason::NoOrientation(face) => {
+                write!(
+                    f,
+                    "the oriented area of face {} is zero, so its sides are not told apart",
+                    face.0
+                )
             }
             Reason::IsotropicEdge => write!(f, "the edge is vertical or of length zero"),
             Reason::NotEmbedded(face) => {

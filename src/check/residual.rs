@@ -51,6 +51,14 @@ pub trait Decide: Sync {
     /// The sign of the residual as printed, and whether it is the same in the whole box.
     fn sign<const K: usize>(&self, residual: impl Residual<K>, at: [VertexId; K]) -> (Sign, bool);
 
+    /// The sign of the sum of a residual over several places, and whether it is the same in the
+    /// whole box.
+    fn sign_of_sum<const K: usize>(
+        &self,
+        residual: impl Residual<K>,
+        places: &[[VertexId; K]],
+    ) -> (Sign, bool);
+
     /// Whether the sum of roots vanishes.
     fn decide_roots<const K: usize, const TERMS: usize>(
         &self,

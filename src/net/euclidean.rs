@@ -70,18 +70,6 @@ impl Residual<6> for CompareNormals {
     }
 }
 
-/// A coordinate difference, to find the extreme corner of a face.
-#[derive(Clone, Copy, Debug)]
-struct Difference(usize);
-
-impl Residual<2> for Difference {
-    const TRANSLATES: bool = true;
-
-    fn eval<R: Ring>(self, [a, b]: &[Point<R>; 2], _: &R) -> R {
-        b.coordinates()[self.0] - a.coordinates()[self.0]
-    }
-}
-
 /// Circular: the face is planar and has a circumcircle in space. A collinear face is undefined.
 pub(super) fn circular<D: Decide>(judge: &Judge<'_, D>, face: FaceId) -> Outcome<D::Value> {
     let shape = judge.net.shape(face);
@@ -112,7 +100,7 @@ pub(super) fn circular<D: Decide>(judge: &Judge<'_, D>, face: FaceId) -> Outcome
 }
 
 /// Conical: the oriented face planes at an interior vertex touch a common cone of revolution, for
-/// any valence. At a face whose orientation cannot be told (collinear points) it is undefined.
+/// any valence. At a face of oriented area zero it is undefined.
 pub(super) fn conical<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D::Value> {
     let topology = judge.topology();
     let star: Vec<HalfEdge> = topology.star(v).collect();
@@ -121,29 +109,40 @@ pub(super) fn conical<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D
     if planar == Answer::Nonzero {
         return Outcome::Fails(planar_failure(judge, &star));
     }
-    let mut corners = Vec::with_capacity(star.len());
+    let mut triangles = Vec::with_capacity(star.len());
+    let mut oriented = true;
     for face in faces() {
-        match oriented_corner(judge, face) {
-            Some(corner) => corners.push(corner),
-            None => return Outcome::Undefined(Reason::CollinearFace(face)),
+        match oriented_triangle(judge, face) {
+            Ok((triangle, certain)) => {
+                triangles.push(triangle);
+                oriented &= certain;
+            }
+            Err(reason) => return Outcome::Undefined(reason),
         }
     }
-    let places: Vec<[VertexId; 12]> = match *corners.as_slice() {
+    if triangles.len() < 4 {
+        return match planar {
+            Answer::Zero => Outcome::Trivial,
+            answer => Outcome::of(answer, || planar_failure(judge, &star)),
+        };
+    }
+    let places: Vec<[VertexId; 12]> = match *triangles.as_slice() {
         [a, b, c, d] => vec![join([a, b, c, d])],
-        _ if corners.len() < 4 => Vec::new(),
-        _ => match distinct(&corners, |a, b| same_normal(judge, a, b)) {
+        _ => match distinct(&triangles, |a, b| same_normal(judge, a, b)) {
             Some(base) => {
-                let others = corners.iter().filter(|c| !base.contains(c));
+                let others = triangles.iter().filter(|c| !base.contains(c));
                 others.map(|&c| join([base[0], base[1], base[2], c])).collect()
             }
             None => Vec::new(),
         },
     };
-    if places.is_empty() && planar == Answer::Zero {
-        return Outcome::Trivial;
+    let conical = places.iter().map(|&at| judge.decide().decide_roots(ConcyclicNormals, at)).max();
+    let mut answer = conical.unwrap_or(Answer::Zero).max(planar);
+    if !oriented && answer == Answer::Nonzero {
+        // Somewhere in the box a face may turn over, and there it is another cone.
+        answer = Answer::InBox;
     }
-    let answer = places.iter().map(|&at| judge.decide().decide_roots(ConcyclicNormals, at)).max();
-    Outcome::of(answer.unwrap_or(Answer::Zero).max(planar), || {
+    Outcome::of(answer, || {
         let failures = places
             .iter()
             .map(|&at| judge.decide().root_failure("cone of revolution", ConcyclicNormals, at));
@@ -152,20 +151,30 @@ pub(super) fn conical<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D
     })
 }
 
-/// The corner at the lexicographically first point of a face. Being extreme, it is convex, so its
-/// normal is that of the oriented face even where the face has reflex corners.
-fn oriented_corner<D: Decide>(judge: &Judge<'_, D>, face: FaceId) -> Option<[VertexId; 3]> {
+/// Three points of a face in such an order that their normal is that of the oriented face, and
+/// whether it is so in the whole box.
+///
+/// A face with reflex corners, or one that crosses itself, is oriented by its vector area.
+fn oriented_triangle<D: Decide>(
+    judge: &Judge<'_, D>,
+    face: FaceId,
+) -> Result<([VertexId; 3], bool), Reason> {
     let corners = judge.topology().face(face);
-    let decide = judge.decide();
-    let before = |a: VertexId, b: VertexId| {
-        let signs = (0..3).map(|axis| decide.sign(Difference(axis), [a, b]).0);
-        signs.into_iter().find(|&s| s != Sign::Zero) == Some(Sign::Positive)
-    };
-    let n = corners.len();
-    let first = (1..n).fold(0, |best, i| if before(corners[i], corners[best]) { i } else { best });
-    let corner = [corners[(first + n - 1) % n], corners[first], corners[(first + 1) % n]];
-    let spans = spanning_triangle(decide, &corner).is_some();
-    spans.then_some(corner)
+    if let [a, b, c] = *corners {
+        let spans = spanning_triangle(judge.decide(), corners).is_some();
+        return if spans { Ok(([a, b, c], true)) } else { Err(Reason::CollinearFace(face)) };
+    }
+    // The projection is one-to-one on the plane of the face.
+    let (projection, [a, b, c]) =
+        spanning_triangle(judge.decide(), corners).ok_or(Reason::CollinearFace(face))?;
+    let fan: Vec<_> = corners.windows(2).skip(1).map(|w| [corners[0], w[0], w[1]]).collect();
+    let (own, own_certain) = judge.decide().sign(projection, [a, b, c]);
+    let (whole, certain) = judge.decide().sign_of_sum(projection, &fan);
+    match whole {
+        Sign::Zero => Err(Reason::NoOrientation(face)),
+        _ if whole == own => Ok(([a, b, c], own_certain && certain)),
+        _ => Ok(([a, c, b], own_certain && certain)),
+    }
 }
 
 fn same_normal<D: Decide>(judge: &Judge<'_, D>, a: [VertexId; 3], b: [VertexId; 3]) -> bool {

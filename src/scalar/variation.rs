@@ -2,7 +2,7 @@
 
 use super::ball::Ball;
 use super::ring::ring_operators;
-use super::{Midpoint, Ring};
+use super::{Midpoint, Numeral, Rational, Ring};
 
 /// The value of a formula at the centre of a box, and a bound of its change within the box.
 ///
@@ -18,6 +18,12 @@ pub struct Variation {
 }
 
 impl Variation {
+    /// The box that a printed number stands for.
+    pub fn of(numeral: &Numeral) -> Self {
+        let centre = Ball::around(&numeral.value::<Rational>());
+        Variation { centre, spread: numeral.half_unit_f64() }
+    }
+
     /// The ball of all values in the box.
     pub fn enclosure(&self) -> Ball<f64> {
         Ball { mid: self.centre.mid, radius: up(self.centre.radius + self.spread) }

@@ -1,7 +1,7 @@
 //! Classes of mesh: the fast decider against the definition, invariance, boxes, controls.
 
 use isogeo::check::{Decide, Decider, Element, Plain, Reason, Report, Residual, Verdict};
-use isogeo::mesh::{Mesh, VertexId};
+use isogeo::mesh::{FaceId, Mesh, VertexId};
 use isogeo::net::i_circular::Concyclic;
 use isogeo::net::i_conical::{Balance, ConcyclicGradients};
 use isogeo::net::planar::Coplanar;
@@ -462,5 +462,71 @@ fn an_edge_of_length_zero_does_not_make_a_vertex_conical() {
         let expected = if concyclic { Verdict::Proved } else { Verdict::Refuted };
         assert_eq!(verdict(&star(m), Property::Planar), Verdict::Proved);
         assert_eq!(verdict(&star(m), Property::IConical), expected, "{m}");
+    }
+}
+
+/// The point turned by the rotation of the quaternion (2, 1, -1, 3), times 15.
+fn turned([x, y, z]: [i64; 3]) -> [i64; 3] {
+    let row = |a: i64, b: i64, c: i64| a * x + b * y + c * z;
+    [row(-5, -14, 2), row(10, -5, -10), row(10, -2, 11)]
+}
+
+#[test]
+fn faces_that_double_back_or_cross_themselves_have_one_orientation_in_space() {
+    // A pyramid over a square, cut into quads of which one has a spike, a repeated point or
+    // a crossing; which corner is extreme depends on the coordinates, the vector area does not.
+    let apex = [0, 0, 3];
+    let [a, b, c, d] = [[2, 0, 0], [0, 2, 0], [-2, 0, 0], [0, -2, 0]];
+    // In the plane of the apex, a and b: beyond a on the edge; twice a; across.
+    for extra in [[4, 0, -3], a, [1, 1, 0], [2, 2, -3], [-1, 3, 0], [5, -1, -3]] {
+        let points = [apex, a, b, c, d, extra];
+        let faces: [&[u32]; 4] = [&[0, 1, 5, 2], &[0, 2, 3], &[0, 3, 4], &[0, 4, 1]];
+        for (turn, faces) in (0..4).map(|turn| {
+            let mut first = faces[0].to_vec();
+            first.rotate_left(turn);
+            (turn, [first, faces[1].to_vec(), faces[2].to_vec(), faces[3].to_vec()])
+        }) {
+            let faces = faces.each_ref().map(|f| f.as_slice());
+            let here = fast(&mesh(&points, &faces), Property::Conical);
+            assert_eq!(here.verdict(), Verdict::Proved, "{extra:?} {turn}");
+            let there = fast(&mesh(&points.map(turned), &faces), Property::Conical);
+            assert_eq!(findings(&here), findings(&there), "{extra:?} {turn}");
+        }
+    }
+    // The control: one face turned over by a fifth corner far out, which keeps its plane.
+    let over = [apex, a, b, c, d, [-20, 0, 33], [0, -20, 33]];
+    let faces: [&[u32]; 4] = [&[0, 1, 6, 5, 2], &[0, 2, 3], &[0, 3, 4], &[0, 4, 1]];
+    for move_to in [|p| p, turned] {
+        let points = over.map(move_to);
+        assert_eq!(verdict(&mesh(&points, &faces), Property::Planar), Verdict::Proved);
+        assert_eq!(verdict(&mesh(&points, &faces), Property::Conical), Verdict::Refuted);
+    }
+    // Oriented area zero: a bow tie in the plane of the first face.
+    let bow_tie = [apex, a, b, c, d, [2, 2, -3], [2, -2, 3]];
+    for move_to in [|p| p, turned] {
+        let points = bow_tie.map(move_to);
+        let faces: [&[u32]; 4] = [&[0, 1, 5, 6, 2], &[0, 2, 3], &[0, 3, 4], &[0, 4, 1]];
+        let report = fast(&mesh(&points, &faces), Property::Conical);
+        let expected = (Element::Vertex(VertexId(0)), Reason::NoOrientation(FaceId(0)));
+        assert_eq!(report.undefined, [expected]);
+    }
+}
+
+#[test]
+fn a_flat_star_is_conical_for_any_valence() {
+    // All normals and all gradients agree: that was looked at, so it is proved and not vacuous.
+    let rim = [[3, 0], [2, 2], [0, 3], [-2, 2], [-3, 0], [-2, -2], [0, -3], [2, -2]];
+    let stars: [&[usize]; 4] =
+        [&[0, 2, 4, 6], &[0, 2, 4, 5, 6], &[0, 1, 2, 4, 5, 6], &[0, 1, 2, 3, 4, 5, 6, 7]];
+    for star in stars {
+        let k = star.len() as u32;
+        let mut points = vec![[0, 0, 0]];
+        points.extend(star.iter().map(|&i| [rim[i][0], rim[i][1], rim[i][0] - rim[i][1]]));
+        let faces: Vec<_> = (0..k).map(|i| [0, 1 + i, 1 + (i + 1) % k]).collect();
+        let faces: Vec<&[u32]> = faces.iter().map(|f| f.as_slice()).collect();
+        for property in [Property::IConical, Property::Conical] {
+            let found = verdict(&mesh(&points, &faces), property);
+            assert_eq!(found, Verdict::Proved, "{} {k}", property.name());
+        }
     }
 }
