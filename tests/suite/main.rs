@@ -1,8 +1,10 @@
 //! The one test binary: laws, values, files, reports, and the rules of the house.
 
+mod elimination;
 mod examples;
 mod files;
 mod house;
+mod linear_space;
 mod meshes;
 mod nets;
 mod scalars;
