@@ -21,6 +21,7 @@
 //! | [`mesh`] | combinatorics without coordinates, data on elements, files |
 //! | [`check`] | from residuals to verdicts |
 //! | [`net`] | classes of mesh: planar, i-circular, i-conical, ... |
+//! | [`pair`] | pairs of meshes: linear spaces of parallel and v-parallel ones |
 //! | [`construct`] | exact families, the metric dual |
 //!
 //! # Example
@@ -47,6 +48,7 @@ pub mod cli;
 pub mod construct;
 pub mod mesh;
 pub mod net;
+pub mod pair;
 pub mod scalar;
 pub mod space;
 

@@ -14,12 +14,14 @@
 //! | [`Variation`] | a value and its change within a box | no | no |
 //! | [`Magnitude`] | sizes without cancellation | – | no |
 //!
+//! [`LinearSystem`] is elimination over ℚ: exact ranks and kernels of sparse systems.
 //! [`Numeral`] is not a scalar: it is a number as a file prints it.
 
 mod ball;
 mod dual;
 mod float;
 mod integer;
+mod linear;
 mod magnitude;
 #[cfg(feature = "malachite")]
 mod malachite;
@@ -34,6 +36,7 @@ mod variation;
 
 pub use ball::{Ball, Midpoint};
 pub use dual::Dual;
+pub use linear::{Echelon, LinearSystem, NoSuchUnknown};
 pub use magnitude::Magnitude;
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;

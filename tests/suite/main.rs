@@ -2,9 +2,11 @@
 
 #[cfg(feature = "cli")]
 mod cli;
+mod elimination;
 mod examples;
 mod files;
 mod house;
+mod linear_space;
 mod meshes;
 mod nets;
 mod scalars;

@@ -1,0 +1,3 @@
+//! Floor 5: pairs of meshes with the same combinatorics.
+
+pub mod linear_space;
