@@ -5,3 +5,4 @@ mod meshes;
 mod nets;
 mod scalars;
 mod space;
+mod topology;
