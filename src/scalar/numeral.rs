@@ -123,8 +123,8 @@ impl Numeral {
         let mut numeral = Numeral::from_f64(x.into())?;
         if let Mantissa::Small(m) = &mut numeral.mantissa {
             // A float has 29 bits less than a double; below its normal range the unit is 2^-149.
-            let drop = 29.max(-149 - numeral.exponent).min(62);
-            *m >>= drop;
+            let drop = 29.max(-149 - numeral.exponent);
+            *m = m.checked_shr(drop as u32).unwrap_or(0);
             numeral.exponent += drop;
         }
         Some(numeral)
