@@ -1,12 +1,14 @@
 //! Classes of mesh: the fast decider against the definition, invariance, boxes, controls.
 
-use isogeo::check::{Decide, Decider, Element, Plain, Reason, Report, Residual, Verdict};
+use isogeo::check::{Answer, Decide, Decider, Element, Plain, Reason, Report, Residual, Verdict};
 use isogeo::mesh::{FaceId, Mesh, VertexId};
+use isogeo::net::euclidean::ConcyclicNormals;
 use isogeo::net::i_circular::Concyclic;
 use isogeo::net::i_conical::{Balance, ConcyclicGradients};
-use isogeo::net::planar::Coplanar;
+use isogeo::net::planar::{Coplanar, ProjectedArea};
+use isogeo::net::scribed::{EdgeTouchesSigma, OnSigma, TouchesSigma};
 use isogeo::net::{Net, Property};
-use isogeo::scalar::{Field, Numeral, Ordered, Rational, RationalField, Ring};
+use isogeo::scalar::{Base, Field, Numeral, Ordered, Rational, RationalField, Ring, Sign};
 use isogeo::space::Point;
 use proptest::prelude::*;
 use rayon::prelude::*;
@@ -36,6 +38,11 @@ fn findings<V>(report: &Report<V>) -> Findings {
         report.failures.clone(),
         report.undefined.clone(),
     )
+}
+
+/// Powers of a million: mostly beyond 126 bits, some beyond the range of doubles.
+fn far() -> impl Strategy<Value = i32> {
+    prop_oneof![8 => -9i32..9, 1 => Just(-60), 1 => Just(60)]
 }
 
 fn agree(mesh: &Mesh<Q>) -> Result<(), TestCaseError> {
@@ -69,7 +76,7 @@ proptest! {
 
     #[test]
     fn fast_and_plain_agree_on_huge_and_tiny_numbers(
-        mesh in any_mesh(small()), up in -60i32..60, sideways in -60i32..60,
+        mesh in any_mesh(small()), up in far(), sideways in far(),
     ) {
         // Beyond any common denominator of 126 bits, up to beyond the range of doubles.
         let power = |e: i32| {
@@ -265,6 +272,127 @@ proptest! {
             if certain { prop_assert_eq!(Coplanar.eval(&corner, &Q::one()).certain_sign(), Some(sign)); }
             let (sign, certain) = decider.sign(Concyclic, ids);
             if certain { prop_assert_eq!(Concyclic.eval(&corner, &Q::one()).certain_sign(), Some(sign)); }
+        }
+    }
+}
+
+/// Compares the signs of all residuals on the first points, as `compare` sees fit.
+fn for_every_residual<D: Decide>(
+    decide: &D,
+    mut compare: impl FnMut(&'static str, (Sign, bool), &dyn Fn(&Plain<'_, Q>) -> Sign),
+) {
+    macro_rules! each {
+        ($($residual:expr),*) => {$({
+            let at = std::array::from_fn(|i| VertexId(i as u32));
+            let (here, residual) = (decide.sign($residual, at), $residual);
+            compare(stringify!($residual), here, &|plain| plain.sign(residual, at).0);
+        })*};
+    }
+    each!(OnSigma, EdgeTouchesSigma, TouchesSigma, ProjectedArea::AlongX, ProjectedArea::TopView);
+    each!(Coplanar, Concyclic, Balance, ConcyclicGradients);
+}
+
+/// Numerals of every kind: negative, with trailing zeros, of both bases, tiny, huge, at the limits.
+fn numeral() -> impl Strategy<Value = Numeral> + Clone {
+    let parsed = |text: String| text.parse::<Numeral>().unwrap();
+    let double = |m: i64, e: i32| Numeral::from_f64(m as f64 * 2f64.powi(e)).unwrap();
+    prop_oneof![
+        6 => (-20i64..20, -2i32..2).prop_map(move |(m, e)| parsed(format!("{m}e{e}"))),
+        4 => (-20i64..20, -3i32..3).prop_map(move |(m, e)| double(m, e)),
+        2 => (any::<i64>(), -24i32..24).prop_map(move |(m, e)| parsed(format!("{m}e{e}"))),
+        2 => (any::<i64>(), -80i32..80).prop_map(move |(m, e)| double(m, e)),
+        1 => prop_oneof![Just(i64::MIN), Just(i64::MAX), Just(i64::MIN + 1)].prop_map(Numeral::from_i64),
+        1 => (any::<i128>(), -400i32..400).prop_map(move |(m, e)| parsed(format!("{m}e{e}"))),
+        1 => any::<f64>().prop_filter_map("finite", Numeral::from_f64),
+        1 => any::<f32>().prop_filter_map("finite", Numeral::from_f32),
+    ]
+}
+
+/// Points of numerals of one kind or mixed, the last ones repeated or combined from the others.
+fn numeral_points() -> impl Strategy<Value = Vec<Point<Numeral>>> {
+    let point = |c: BoxedStrategy<Numeral>| [c.clone(), c.clone(), c];
+    let of_base = move |base| {
+        let one = numeral().prop_filter("one base", move |n| n.unit_exponent().0 == base);
+        prop::collection::vec(point(one.boxed()), 12).boxed()
+    };
+    let mixed = prop::collection::vec(point(numeral().boxed()), 12);
+    (prop_oneof![of_base(Base::Two), of_base(Base::Ten), mixed.boxed()], any::<u16>()).prop_map(
+        |(points, repeat)| {
+            let mut points: Vec<Point<Numeral>> =
+                points.into_iter().map(|[x, y, z]| Point::new(x, y, z)).collect();
+            for i in 1..points.len() {
+                if repeat >> i & 1 == 1 {
+                    // On the vertical through the one before, or flat, or the same.
+                    let (before, own) = (points[i - 1].clone(), points[i].clone());
+                    points[i] = match repeat % 3 {
+                        0 => Point::new(before.x, before.y, own.z),
+                        1 => Point::new(own.x.clone(), own.x, before.z),
+                        _ => before,
+                    };
+                }
+            }
+            points
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 192, ..ProptestConfig::default() })]
+
+    #[test]
+    fn signs_of_numerals_are_those_of_their_values(points in numeral_points()) {
+        let values: Vec<Point<Q>> = points.iter().map(|p| p.map(Numeral::value)).collect();
+        let plain = Plain(&values);
+        for decider in [Decider::new(&points), Decider::over_boxes(&points)] {
+            for_every_residual(&decider, |name, (sign, _), exact| assert_eq!(sign, exact(&plain), "{name}"));
+            let at = std::array::from_fn(|i| VertexId(i as u32));
+            let zero = |answer| answer == Answer::Zero;
+            let (quick, slow) = (decider.decide_roots(ConcyclicNormals, at), plain.decide_roots(ConcyclicNormals, at));
+            assert_eq!(zero(quick), zero(slow));
+        }
+    }
+
+    #[test]
+    fn what_is_certain_in_a_box_is_so_wherever_the_numbers_are(
+        points in prop::collection::vec([-12i64..12, -12i64..12, -12i64..12], 12),
+        digits in 0u32..3, shares in prop::collection::vec(prop::collection::vec(-4i64..=4, 36), 6),
+    ) {
+        let numerals: Vec<Point<Numeral>> = points.iter().map(|p| {
+            // The last digit is a small one, so that boxes are wide.
+            Point::new(p[0], p[1], p[2]).map(|c| format!("{}e-{digits}", c * 3i64.pow(digits)).parse().unwrap())
+        }).collect();
+        let decider = Decider::over_boxes(&numerals);
+        let at = std::array::from_fn(|i| VertexId(i as u32));
+        let apart = decider.decide_roots(ConcyclicNormals, at) == Answer::Nonzero;
+        for share in shares {
+            // ±4 of 4 are the corners of the box.
+            let mut share = share.into_iter();
+            let sample: Vec<Point<Q>> = numerals.iter().map(|p| p.map(|c| {
+                c.value::<Q>() + c.half_unit::<Q>() * Q::from_ratio(share.next().unwrap(), 4)
+            })).collect();
+            let plain = Plain(&sample);
+            for_every_residual(&decider, |name, (sign, certain), there| {
+                if certain { assert_eq!(sign, there(&plain), "{name}"); }
+            });
+            if apart { assert_eq!(plain.decide_roots(ConcyclicNormals, at), Answer::Nonzero); }
+        }
+    }
+
+    #[test]
+    fn what_fails_in_a_box_fails_in_every_mesh_of_the_box(
+        mesh in prop_oneof![any_mesh(small()), translational(), circular()], digits in 0u32..4, shift in fraction(),
+    ) {
+        // The numbers before printing are in the box of the printed ones.
+        let points = mesh.points.iter().map(|p| p.map(|c| c + &shift / Q::from_i64(1000))).collect();
+        let mesh = Mesh { points, ..mesh };
+        let rounded = mesh.map(|x| printed(x, digits));
+        let decider = Decider::over_boxes(&rounded.points);
+        for property in Property::ALL {
+            let (exact, rounded) = (fast(&mesh, property), Net::new(&mesh.topology, &decider).check(property));
+            for failure in rounded.failures {
+                let undefined = exact.undefined.iter().any(|(e, _)| *e == failure);
+                prop_assert!(undefined || exact.failures.contains(&failure), "{} at {}", property.name(), failure);
+            }
         }
     }
 }
@@ -529,4 +657,27 @@ fn a_flat_star_is_conical_for_any_valence() {
             assert_eq!(found, Verdict::Proved, "{} {k}", property.name());
         }
     }
+}
+
+#[test]
+fn a_face_of_many_points_on_a_line_is_found_out_in_linear_time() {
+    const N: u32 = 50_000;
+    let point = |i: i64| Point::new(i % 977, i % 977, 2 * (i % 977)).map(|&c| Numeral::from_i64(c));
+    let mut faces = isogeo::mesh::FaceList::new();
+    faces.push(0..N);
+    let line = Mesh::new((0..i64::from(N)).map(point).collect(), faces).unwrap();
+    let decider = Decider::new(&line.points);
+    let report = Net::new(&line.topology, &decider).check(Property::ICircular);
+    let expected = (Element::Face(FaceId(0)), Reason::CollinearFace(FaceId(0)));
+    assert_eq!(report.undefined, [expected]);
+}
+
+#[test]
+fn the_zero_of_a_float_is_known_to_half_the_least_float() {
+    let zero = Numeral::from_f32(0.0).unwrap();
+    let least = Numeral::from_f32(f32::from_bits(1)).unwrap();
+    assert_eq!(zero.unit_exponent(), (Base::Two, -149));
+    assert_eq!(zero.half_unit::<Q>(), least.half_unit::<Q>());
+    assert_eq!(Numeral::from_f32(-1.5).unwrap().unit_exponent(), (Base::Two, -23));
+    assert_eq!(Numeral::from_f64(0.0).unwrap().unit_exponent(), (Base::Two, -1074));
 }
