@@ -15,10 +15,6 @@ use rayon::prelude::*;
 
 use crate::meshes::{Q, any_mesh, circular, fraction, relabelled, small, translational};
 
-fn plain(mesh: &Mesh<Q>, property: Property) -> Report<Q> {
-    Net::new(&mesh.topology, &Plain(&mesh.points)).check(property)
-}
-
 fn fast(mesh: &Mesh<Q>, property: Property) -> Report<Rational> {
     let mesh = mesh.map(Q::convert::<Rational>);
     Net::new(&mesh.topology, &Decider::of_rationals(&mesh.points)).check(property)
@@ -40,14 +36,13 @@ fn findings<V>(report: &Report<V>) -> Findings {
     )
 }
 
-/// Powers of a million: mostly beyond 126 bits, some beyond the range of doubles.
-fn far() -> impl Strategy<Value = i32> {
-    prop_oneof![8 => -9i32..9, 1 => Just(-60), 1 => Just(60)]
-}
-
-fn agree(mesh: &Mesh<Q>) -> Result<(), TestCaseError> {
+/// The fast decider finds what the definition does, evaluated in `P`.
+fn agree<P: RationalField>(mesh: &Mesh<Q>) -> Result<(), TestCaseError> {
+    let converted = mesh.map(Q::convert::<P>);
+    let definition = Plain(&converted.points);
     for property in Property::ALL {
-        let (slow, quick) = (plain(mesh, property), fast(mesh, property));
+        let slow = Net::new(&mesh.topology, &definition).check(property);
+        let quick = fast(mesh, property);
         prop_assert_eq!(findings(&slow), findings(&quick), "{} on {:?}", property.name(), mesh);
         if let (Some(a), Some(b)) = (&slow.worst, &quick.worst) {
             prop_assert!((a.failure.defect - b.failure.defect).abs() <= 1e-9, "{:?} {:?}", a, b);
@@ -61,22 +56,22 @@ proptest! {
 
     #[test]
     fn fast_and_plain_agree_among_coincidences(mesh in any_mesh(small())) {
-        agree(&mesh)?;
+        agree::<Q>(&mesh)?;
     }
 
     #[test]
     fn fast_and_plain_agree_in_general(mesh in any_mesh(fraction())) {
-        agree(&mesh)?;
+        agree::<Q>(&mesh)?;
     }
 
     #[test]
     fn fast_and_plain_agree_where_classes_hold(mesh in prop_oneof![translational(), circular()]) {
-        agree(&mesh)?;
+        agree::<Q>(&mesh)?;
     }
 
     #[test]
     fn fast_and_plain_agree_on_huge_and_tiny_numbers(
-        mesh in any_mesh(small()), up in far(), sideways in far(),
+        mesh in any_mesh(small()), up in -60i32..60, sideways in -60i32..60,
     ) {
         // Beyond any common denominator of 126 bits, up to beyond the range of doubles.
         let power = |e: i32| {
@@ -85,7 +80,8 @@ proptest! {
         };
         let (a, b) = (power(sideways), power(up));
         let points = mesh.points.iter().map(|p| Point::new(&p.x * &a, &p.y * &a, &p.z * &b)).collect();
-        agree(&Mesh { points, ..mesh })?;
+        // In the fast rationals: the binary gcd of the others takes nearly all the time here.
+        agree::<Rational>(&Mesh { points, ..mesh })?;
     }
 
     #[test]
@@ -546,8 +542,8 @@ fn integer_net(side: i64) -> Mesh<Numeral> {
 fn reports_are_the_same_for_any_number_of_threads_that_ask_at_once() {
     // More chunks than threads and more threads than a thread has jobs of its own: what faces are
     // must not be found under a lock that a waiting thread comes back to.
-    let mut net = integer_net(200);
-    for moved in [10_000, 20_000, 30_100] {
+    let mut net = integer_net(150);
+    for moved in [5_000, 10_000, 20_100] {
         net.points[moved].z = Numeral::from_i64(-1);
     }
     let of_threads = |n: usize| {
@@ -561,10 +557,8 @@ fn reports_are_the_same_for_any_number_of_threads_that_ask_at_once() {
     let one = of_threads(1);
     let verdicts: Vec<_> = one.iter().map(|r| r.verdict()).collect();
     assert_eq!(verdicts[..3], [Verdict::Refuted; 3]);
-    for n in [2, 3, 16] {
-        for _ in 0..4 {
-            assert_eq!(of_threads(n), one, "{n} threads");
-        }
+    for n in [2, 16, 16, 16] {
+        assert_eq!(of_threads(n), one, "{n} threads");
     }
 }
 
