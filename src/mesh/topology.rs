@@ -68,6 +68,8 @@ pub struct Topology {
     /// An outgoing half-edge of each vertex: at a boundary vertex the one without twin.
     outgoing: Vec<u32>,
     kinds: Vec<VertexKind>,
+    /// The outgoing half-edges of pinched vertices, in order: one of them does not lead to all.
+    pinched: Vec<(VertexId, u32)>,
     edges: usize,
 }
 
@@ -218,6 +220,7 @@ impl Topology {
             kinds: vec![VertexKind::Isolated; vertices as usize],
             corners,
             face_of,
+            pinched: Vec::new(),
             edges: 0,
         };
         (topology.twins, topology.edges) = topology.pair_half_edges()?;
@@ -304,6 +307,9 @@ impl Topology {
                 VertexKind::Interior
             };
         }
+        let origins = self.corners.iter().copied().zip(0u32..);
+        self.pinched = origins.filter(|&(v, _)| self.kind(v) == VertexKind::Pinched).collect();
+        self.pinched.sort_unstable();
     }
 
     /// The outgoing half-edges of a vertex counter-clockwise from `first`, until they close or end.
@@ -359,17 +365,35 @@ impl Topology {
 
     /// The half-edge from `a` to `b`, or the one from `b` to `a` if only that exists.
     ///
-    /// Costs a walk around `a`; at a pinched vertex all half-edges are looked through.
+    /// Costs a walk around the end with fewer faces.
     pub fn edge(&self, a: VertexId, b: VertexId) -> Option<HalfEdge> {
-        let joins = |&h: &HalfEdge| {
+        let joins = |h: HalfEdge| {
             let ends = (self.origin(h), self.target(h));
             ends == (a, b) || ends == (b, a)
         };
-        let around = self.star(a).flat_map(|h| [h, self.prev(h)]);
-        around.into_iter().find(joins).or_else(|| {
-            let pinched = self.kind(a) == VertexKind::Pinched;
-            self.edges().filter(|_| pinched).find(joins)
-        })
+        let (mut around_a, mut around_b) = (self.around(a), self.around(b));
+        let found = loop {
+            let h = around_a.next()?;
+            if joins(h) {
+                break h;
+            }
+            let h = around_b.next()?;
+            if joins(h) {
+                break h;
+            }
+        };
+        if self.origin(found) == a { Some(found) } else { self.twin(found).or(Some(found)) }
+    }
+
+    /// All half-edges that start or end at a vertex, pinched or not.
+    fn around(&self, v: VertexId) -> impl Iterator<Item = HalfEdge> + '_ {
+        let pinched = self.kind(v) == VertexKind::Pinched;
+        // Not pinched, the vertex is not in the list.
+        let first = self.pinched.partition_point(|p| p.0 < v);
+        let here = self.pinched[first..].iter().take_while(move |p| p.0 == v);
+        let fans = here.map(|p| HalfEdge(p.1));
+        let star = (!pinched).then(|| self.star(v)).into_iter().flatten();
+        star.chain(fans).flat_map(|h| [h, self.prev(h)])
     }
 
     /// The half-edges of a face, from the first corner.

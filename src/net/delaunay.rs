@@ -9,7 +9,7 @@
 
 use super::Judge;
 use super::i_circular::{self, Concyclic};
-use super::planar::ProjectedArea;
+use super::planar::{Difference, ProjectedArea};
 use crate::check::{Answer, Decide, Element, Outcome, Reason, Residual};
 use crate::mesh::{FaceId, HalfEdge, Topology, VertexId, VertexKind};
 use crate::scalar::{Ring, Sign};
@@ -74,9 +74,13 @@ fn edge_outcome<D: Decide>(judge: &Judge<'_, D>, h: HalfEdge) -> Outcome<D::Valu
     if judge.decide().sign(Concyclic, at).0 != sense {
         return Outcome::Holds;
     }
-    Outcome::of(judge.decide().decide(Concyclic, at), || {
-        judge.failure("empty circumcircle", Concyclic, at)
-    })
+    let mut answer = judge.decide().decide(Concyclic, at);
+    let turns = |at| judge.decide().decide(ProjectedArea::TopView, at) == Answer::InBox;
+    if answer == Answer::Nonzero && (turns([a, b, left]) || turns([b, a, right])) {
+        // Somewhere in the box a triangle may turn over, and its inside with it.
+        answer = Answer::InBox;
+    }
+    Outcome::of(answer, || judge.failure("empty circumcircle", Concyclic, at))
 }
 
 fn boundary_outcome<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D::Value> {
@@ -119,18 +123,6 @@ impl Residual<3> for Onward {
     }
 }
 
-/// A difference of y: its signs along a closed convex polygon tell how often it winds.
-#[derive(Clone, Copy, Debug)]
-struct Rise;
-
-impl Residual<2> for Rise {
-    const TRANSLATES: bool = true;
-
-    fn eval<R: Ring>(self, [a, b]: &[Point<R>; 2], _: &R) -> R {
-        &b.y - &a.y
-    }
-}
-
 /// Whether the mesh is one disc, and its boundary, if it turns to one side only, winds once.
 pub(super) fn is_disc<D: Decide>(topology: &Topology, decide: &D) -> bool {
     let loops = topology.boundary_loops();
@@ -151,11 +143,12 @@ pub(super) fn is_disc<D: Decide>(topology: &Topology, decide: &D) -> bool {
         // Reported where it bends the other way.
         return true;
     }
+    // The signs of the differences of y along a closed convex polygon tell how often it winds.
     let next = boundary.iter().cycle().skip(1);
     let signs: Vec<Sign> = boundary
         .iter()
         .zip(next)
-        .map(|(&a, &b)| decide.sign(Rise, [a, b]).0)
+        .map(|(&a, &b)| decide.sign(Difference(1), [a, b]).0)
         .filter(|&s| s != Sign::Zero)
         .collect();
     let after = signs.iter().cycle().skip(1);

@@ -35,6 +35,15 @@ pub enum ProjectedArea {
 impl ProjectedArea {
     const ALL: [ProjectedArea; 3] =
         [ProjectedArea::TopView, ProjectedArea::AlongX, ProjectedArea::AlongY];
+
+    /// The coordinates that are seen.
+    fn axes(self) -> [usize; 2] {
+        match self {
+            ProjectedArea::AlongX => [1, 2],
+            ProjectedArea::AlongY => [2, 0],
+            ProjectedArea::TopView => [0, 1],
+        }
+    }
 }
 
 impl Residual<3> for ProjectedArea {
@@ -48,6 +57,18 @@ impl Residual<3> for ProjectedArea {
             ProjectedArea::AlongY => R::det2(&a.z, &a.x, &b.z, &b.x),
             ProjectedArea::TopView => R::det2(&a.x, &a.y, &b.x, &b.y),
         }
+    }
+}
+
+/// A difference of coordinates: x, y or z by number.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Difference(pub usize);
+
+impl Residual<2> for Difference {
+    const TRANSLATES: bool = true;
+
+    fn eval<R: Ring>(self, [a, b]: &[Point<R>; 2], _: &R) -> R {
+        b.coordinates()[self.0] - a.coordinates()[self.0]
     }
 }
 
@@ -119,10 +140,12 @@ pub(super) fn triangle<D: Decide>(
     if let Some(corner) = corners.into_iter().find(spans) {
         return Some(corner);
     }
-    // All corners but two are straight or folded: any line through two different points will do.
-    let a = face[0];
-    (1..face.len())
-        .find_map(|j| (j + 1..face.len()).map(|k| [a, face[j], face[k]]).find(|at| spans(at)))
+    // All corners are straight or folded or repeat a point: any line through two different points
+    // will do.
+    let (a, axes) = (face[0], projection.axes());
+    let differs = |b| axes.iter().any(|&i| decide.sign(Difference(i), [a, b]).0 != Sign::Zero);
+    let j = (1..face.len()).find(|&j| differs(face[j]))?;
+    (j + 1..face.len()).map(|k| [a, face[j], face[k]]).find(spans)
 }
 
 /// Three points of the face that are not collinear, and a projection that shows it.

@@ -11,3 +11,4 @@ mod meshes;
 mod nets;
 mod scalars;
 mod space;
+mod topology;
