@@ -21,7 +21,8 @@
 //! | [`mesh`] | combinatorics without coordinates, data on elements, files |
 //! | [`check`] | from residuals to verdicts |
 //! | [`net`] | classes of mesh: planar, i-circular, i-conical, ... |
-//! | [`construct`] | exact families, the metric dual |
+//! | [`pair`] | pairs of meshes: parallel, f-parallel, v-parallel; their curvatures |
+//! | [`construct`] | exact families, the metric dual, Gauss images |
 //!
 //! # Example
 //!
@@ -47,6 +48,7 @@ pub mod cli;
 pub mod construct;
 pub mod mesh;
 pub mod net;
+pub mod pair;
 pub mod scalar;
 pub mod space;
 
