@@ -5,5 +5,6 @@ mod files;
 mod house;
 mod meshes;
 mod nets;
+mod pairs;
 mod scalars;
 mod space;
