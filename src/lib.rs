@@ -21,8 +21,8 @@
 //! | [`mesh`] | combinatorics without coordinates, data on elements, files |
 //! | [`check`] | from residuals to verdicts |
 //! | [`net`] | classes of mesh: planar, i-circular, i-conical, ... |
-//! | [`pair`] | pairs of meshes: linear spaces of parallel and v-parallel ones |
-//! | [`construct`] | exact families, the metric dual |
+//! | [`pair`] | pairs of meshes: parallel, f-parallel, v-parallel; curvatures, linear spaces |
+//! | [`construct`] | exact families, the metric dual, Gauss images |
 //!
 //! # Example
 //!

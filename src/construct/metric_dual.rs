@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use crate::mesh::{Data, FaceId, Mesh, TopologyError};
+use crate::mesh::{Data, FaceId, Mesh, NoPlane, TopologyError};
 use crate::scalar::Field;
-use crate::space::{Dual, Plane, Point};
+use crate::space::{Dual, Plane};
 
 /// Why a mesh has no metric dual.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +40,15 @@ impl<T: fmt::Display> fmt::Display for NoDual<T> {
 
 impl<T: fmt::Debug + fmt::Display> std::error::Error for NoDual<T> {}
 
+impl<T> From<NoPlane<T>> for NoDual<T> {
+    fn from(reason: NoPlane<T>) -> Self {
+        match reason {
+            NoPlane::NotPlanar { face, residual } => NoDual::NotPlanar { face, residual },
+            NoPlane::NotAGraph(face) => NoDual::NoPole(face),
+        }
+    }
+}
+
 /// The metric dual: for every face the pole `(p₁, p₂, −t)` of its plane `z = p·x' + t`, for every
 /// interior vertex a face.
 ///
@@ -57,26 +66,10 @@ pub fn metric_dual<T: Field>(mesh: &Mesh<T>) -> Result<Mesh<T>, NoDual<T>> {
     Ok(Mesh { topology, points, data: Data::default() })
 }
 
-/// The plane of a face, through three of its points and checked at the others.
+/// The plane of a face: see [`Mesh::face_plane`].
 ///
 /// # Errors
 /// Where there is none, or it is isotropic.
 pub fn face_plane<T: Field>(mesh: &Mesh<T>, face: FaceId) -> Result<Plane<T>, NoDual<T>> {
-    let corners: Vec<&Point<T>> =
-        mesh.topology.face(face).iter().map(|v| &mesh.points[v.index()]).collect();
-    let plane = spanning_plane(&corners).ok_or(NoDual::NoPole(face))?;
-    match corners.iter().map(|p| plane.residual(p)).find(|r| !r.is_zero()) {
-        None => Ok(plane),
-        Some(residual) => Err(NoDual::NotPlanar { face, residual }),
-    }
-}
-
-/// The plane through three points whose top views are not collinear: three in a row if possible.
-fn spanning_plane<T: Field>(points: &[&Point<T>]) -> Option<Plane<T>> {
-    let in_a_row = points.windows(3).find_map(|p| Plane::through(p[0], p[1], p[2]).ok());
-    in_a_row.or_else(|| {
-        let (first, rest) = points.split_first()?;
-        let second = rest.iter().find(|p| !p.is_parallel_to(first))?;
-        rest.iter().find_map(|p| Plane::through(first, second, p).ok())
-    })
+    Ok(mesh.face_plane(face)?)
 }

@@ -1,10 +1,17 @@
 //! Floor 6: exact families of meshes.
 
 mod circular_net;
+mod circumscribed;
+pub mod gauss_image;
+mod inscribed;
 mod metric_dual;
+mod spread;
 mod translational_net;
 
 pub use circular_net::circular_net;
+pub use circumscribed::{Circumscribed, circumscribed_f_parallel, circumscribed_v_parallel};
+pub use gauss_image::NoGaussImage;
+pub use inscribed::{inscribed_f_parallel, inscribed_v_parallel, lift};
 pub use metric_dual::{NoDual, face_plane, metric_dual};
 pub use translational_net::translational_net;
 

@@ -1,3 +1,48 @@
-//! Floor 5: pairs of meshes with the same combinatorics.
+//! Floor 5: pairs of meshes with the same combinatorics, and what exists only on them (Sec. 3.1, 4).
+//!
+//! | pair | corresponding | carries |
+//! | --- | --- | --- |
+//! | [`Parallel`] | edges are parallel | edge curvatures, corner curvatures |
+//! | [`FParallel`] | face planes are parallel | curvatures at faces (17), offsets (18) |
+//! | [`VParallel`] | vertices have the same top view | curvatures at vertices (22), edge weights |
+//!
+//! A curvature is never one of a mesh M alone: it is one of M and a mesh S that stands for its Gauss
+//! image, and another S gives another curvature. Each constructor checks exactly that the meshes fit
+//! and otherwise names the element and the residual: [`Misfit`].
+//!
+//! The meshes parallel and v-parallel to a given one form linear spaces: [`linear_space`].
+//!
+//! All forms are kept four times as large ([`Forms`]), so that they need no division.
 
+mod area;
+mod cotangent;
+mod curvature;
+mod edge;
+mod f_parallel;
+mod face;
+mod forms;
 pub mod linear_space;
+mod misfit;
+mod offset;
+mod parallel;
+mod roots;
+mod total;
+mod v_parallel;
+mod vertex;
+mod weight;
+
+pub use area::{Corner, four_mixed_areas, twice_area};
+pub use cotangent::{cotangent, cotangent_weight};
+pub use curvature::Curvatures;
+pub use edge::EdgeUndefined;
+pub use f_parallel::FParallel;
+pub use face::{FaceForms, ZeroArea};
+pub use forms::Forms;
+pub use misfit::{Misfit, Which};
+pub use offset::OffsetLaw;
+pub use parallel::Parallel;
+pub use roots::Roots;
+pub use total::TotalForms;
+pub use v_parallel::VParallel;
+pub use vertex::{VertexForms, VertexUndefined};
+pub use weight::StarEdge;

@@ -9,6 +9,7 @@ mod house;
 mod linear_space;
 mod meshes;
 mod nets;
+mod pairs;
 mod scalars;
 mod space;
 mod topology;

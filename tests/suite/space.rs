@@ -9,4 +9,5 @@ mod dual;
 mod incidence;
 mod motions;
 
-use draw::{Draw, Verdict, laws, numbers};
+pub use draw::{Draw, Verdict, numbers};
+pub(crate) use draw::laws;

@@ -35,6 +35,13 @@ impl<Q: RationalField> Draw<Q> {
         if number.is_zero() { Q::one() } else { number }
     }
 
+    /// An index below `n`, from the digits of a number.
+    pub fn index(&mut self, n: usize) -> usize {
+        let number = self.number();
+        let digits = number.numerator() * 7 + number.denominator() + 70;
+        usize::try_from(digits).map_or(0, |i| i % n)
+    }
+
     pub fn top_view(&mut self) -> TopView<Q> {
         TopView::new(self.number(), self.number())
     }
@@ -132,4 +139,4 @@ macro_rules! laws {
         }
     )* };
 }
-pub(super) use laws;
+pub(crate) use laws;

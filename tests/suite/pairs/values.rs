@@ -1,0 +1,306 @@
+//! Named values: curvatures of discrete surfaces known in closed form.
+
+use isogeo::construct::{inscribed_v_parallel, quad_patch};
+use isogeo::mesh::{FaceId, Mesh, VertexId};
+use isogeo::pair::*;
+use isogeo::scalar::{Field, Rational, Ring};
+use isogeo::space::{Point, Rotation, Vector2};
+
+use super::{fan, q, sampled};
+
+type R = Rational;
+
+fn r(p: i64, d: i64) -> R {
+    q(p, d)
+}
+
+const CENTRE: VertexId = VertexId(0);
+
+fn at_centre(mesh: &Mesh<R>) -> (R, R) {
+    let c = inscribed_v_parallel(mesh).unwrap().vertex_curvatures(CENTRE).unwrap();
+    (c.mean, c.gauss)
+}
+
+const SIX: [(i64, i64); 6] = [(1, 0), (1, 1), (0, 1), (-1, 0), (-1, -1), (0, -1)];
+const SIX_OTHER: [(i64, i64); 6] = [(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)];
+const EIGHT: [(i64, i64); 8] =
+    [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
+const FOUR: [(i64, i64); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
+
+#[test]
+fn union_jack_sees_the_mixed_derivative_twice_or_not_at_all() {
+    let xy = |x: &R, y: &R| x * y;
+    assert_eq!(at_centre(&sampled(&SIX, xy)), (r(0, 1), r(-1, 1)));
+    assert_eq!(at_centre(&sampled(&EIGHT, xy)), (r(0, 1), r(-2, 1)));
+    assert_eq!(at_centre(&sampled(&FOUR, xy)), (r(0, 1), r(0, 1)));
+    let f = |x: &R, y: &R| x * x * x * y + x * x * y * y + x * x;
+    assert_eq!(at_centre(&sampled(&SIX, f)), (r(1, 1), r(-4, 1)));
+    assert_eq!(at_centre(&sampled(&SIX_OTHER, f)), (r(1, 1), r(0, 1)));
+    assert_eq!(at_centre(&sampled(&EIGHT, f)), (r(1, 1), r(-4, 1)));
+    assert_eq!(at_centre(&sampled(&FOUR, f)), (r(1, 1), r(0, 1)));
+}
+
+#[test]
+fn the_six_star_converges_with_the_known_error() {
+    // f = x⁴/12 + y²/2 + xy³/6 at (1, 1): H = 3/2, K = 7/4.
+    let f = |x: &R, y: &R| {
+        let (x2, y2) = (x * x, y * y);
+        x2.square() * r(1, 12) + &y2 * r(1, 2) + x * y * y2 * r(1, 6)
+    };
+    let table = [
+        (2, (73, 48), (995, 576)),
+        (4, (289, 192), (16079, 9216)),
+        (8, (1153, 768), (257_855, 147_456)),
+        (16, (4609, 3072), (4_127_999, 2_359_296)),
+    ];
+    for (n, h, k) in table {
+        let at = |i: i64, j: i64| {
+            let (x, y) = (r(n + i, n), r(n + j, n));
+            let z = f(&x, &y);
+            Point::new(x, y, z)
+        };
+        let mesh = fan(at(0, 0), SIX.iter().map(|&(i, j)| at(i, j)).collect());
+        assert_eq!(at_centre(&mesh), (r(h.0, h.1), r(k.0, k.1)), "h = 1/{n}");
+        assert_eq!(r(h.0, h.1) - r(3, 2), r(1, 12 * n * n), "h = 1/{n}");
+    }
+}
+
+#[test]
+fn the_error_of_the_six_star_is_the_taylor_polynomial() {
+    // K = (4 a02 a20 − a11²) + h² [...] + O(h⁴), so the h² term is a limit of differences.
+    let a = |i: i64, j: i64| r((3 * i + 5 * j + i * j) % 7 - 3, 1);
+    let exponents = || (0..=4i64).flat_map(|n| (0..=n).map(move |i| (i, n - i)));
+    let power = |x: &R, n: i64| (0..n).fold(R::one(), |p, _| p * x);
+    let value = |h: &R| {
+        let f = |x: &R, y: &R| {
+            let (x, y) = (x * h, y * h);
+            exponents().fold(R::zero(), |sum, (i, j)| sum + a(i, j) * power(&x, i) * power(&y, j))
+        };
+        // Sampled with h = 1 and scaled: K grows by h⁻⁴.
+        at_centre(&sampled(&SIX, f)).1 / power(h, 4)
+    };
+    let exact = r(4, 1) * a(0, 2) * a(2, 0) - a(1, 1).square();
+    let second = r(4, 1) * (a(0, 2) * a(4, 0) + a(0, 4) * a(2, 0))
+        - r(2, 1) * a(1, 1) * (a(1, 3) + a(2, 2) + a(3, 1))
+        - a(1, 2).square()
+        - r(2, 1) * a(1, 2) * a(2, 1)
+        - a(2, 1).square();
+    // K is a polynomial in h² of degree 2: three values give its coefficients.
+    let [k1, k2, k3] = [1, 2, 3].map(|h| value(&r(h, 1)) - &exact);
+    let (u1, u2) = (k1, k2 / r(4, 1));
+    let fourth = (&u2 - &u1) / r(3, 1);
+    assert_eq!(u1 - &fourth, second);
+    assert_eq!(k3, r(9, 1) * second + r(81, 1) * fourth);
+}
+
+#[test]
+fn five_point_laplacians() {
+    let laplacian = |f: &dyn Fn(&R, &R) -> R, mesh: &dyn Fn(i64, i64) -> (R, R)| {
+        let at = |i: i64, j: i64| {
+            let (x, y) = mesh(i, j);
+            let z = f(&x, &y);
+            Point::new(x, y, z)
+        };
+        let m = fan(at(0, 0), FOUR.iter().map(|&(i, j)| at(i, j)).collect());
+        at_centre(&m).0 * r(2, 1)
+    };
+    let grid = |i: i64, j: i64| (r(2 + i, 3), r(5 + j, 3)); // h = 1/3 at (2/3, 5/3)
+    let quartic = |x: &R, y: &R| {
+        let (x, y) = (x.square(), y.square());
+        x.square() - r(6, 1) * &x * &y + y.square()
+    };
+    assert_eq!(laplacian(&quartic, &grid), r(4, 9));
+    let cubic = |x: &R, y: &R| x * (x * x - r(3, 1) * y * y);
+    assert_eq!(laplacian(&cubic, &grid), r(0, 1));
+    let quintic = |x: &R, y: &R| {
+        let (x2, y2) = (x.square(), y.square());
+        x * (x2.square() - r(10, 1) * &x2 * &y2 + r(5, 1) * y2.square())
+    };
+    assert_eq!(laplacian(&quintic, &grid), r(20, 9) * r(2, 3));
+}
+
+#[test]
+fn the_pyramid_measures_twice_the_square_of_its_height() {
+    let t = r(3, 5);
+    let ring = [(1, 1), (-1, 1), (-1, -1), (1, -1)];
+    let height = |x: &R, _: &R| if x.is_zero() { -&t } else { R::zero() };
+    let m = sampled(&ring, height);
+    let pair = inscribed_v_parallel(&m).unwrap();
+    let forms = pair.vertex_forms(CENTRE).unwrap();
+    assert_eq!(forms.measure(), r(2, 1) * t.square());
+    assert_eq!(forms.image_measure(), r(2, 1));
+    let c = forms.curvatures().unwrap();
+    assert_eq!((c.mean.clone(), c.gauss.clone()), (t.clone(), t.square()));
+    assert_eq!(c.principal(), Roots::Exact(vec![t.clone(), t]));
+}
+
+#[test]
+fn an_embedded_star_may_have_negative_area() {
+    let ring = [(3, -2), (0, 1), (-7, 1), (-1, 0)];
+    let m = sampled(&ring, |x: &R, _| x * x);
+    let pair = inscribed_v_parallel(&m).unwrap();
+    let forms = pair.vertex_forms(CENTRE).unwrap();
+    assert_eq!(forms.image_measure(), r(-99, 4));
+    assert!(forms.image_is_reversed());
+    let cotangents = pair.star(CENTRE).unwrap().into_iter().map(|e| {
+        let weight = cotangent_weight(&m, e.half_edge).unwrap();
+        assert_eq!(weight, e.weight[1]);
+        weight * &e.rise[0]
+    });
+    let laplacian = cotangents.fold(R::zero(), |a, b: R| a + b);
+    assert_eq!(laplacian, forms.curvatures().unwrap().mean * r(2, 1) * r(-99, 4));
+}
+
+#[test]
+fn a_delaunay_star_that_does_not_converge() {
+    let ring = [(2, 0), (1, 1), (-1, 1), (-2, -1), (1, -2)];
+    for scale in [1, 10, 1000] {
+        let f = |x: &R, _: &R| x * x;
+        let m = sampled(&ring, f).map(|c| c / r(scale, 1));
+        // Scaled points, heights x² again.
+        let points = m.points.iter().map(|p| Point::new(p.x.clone(), p.y.clone(), p.x.square()));
+        let m = Mesh { points: points.collect(), ..m.clone() };
+        assert_eq!(at_centre(&m), (r(34, 31), r(412, 775)), "scale 1/{scale}");
+    }
+}
+
+#[test]
+fn cmc_three_sevenths_has_an_offset_of_constant_curvature() {
+    let c = Curvatures { mean: r(3, 7), gauss: r(-5, 2) };
+    let d = c.distance_to_constant_gauss().unwrap();
+    assert_eq!(d, r(-7, 6));
+    assert_eq!(c.offset(&d).unwrap().gauss, r(36, 49));
+    let d = c.distance_to_opposite_mean().unwrap();
+    assert_eq!(c.offset(&d).unwrap().mean, r(-3, 7));
+    let saddle = Curvatures { mean: r(0, 1), gauss: r(-1, 1) };
+    let offset = Curvatures { mean: r(-2, 3), gauss: r(-4, 3) };
+    assert_eq!(saddle.offset(&r(1, 2)), Some(offset));
+    assert_eq!(saddle.v_offset(&r(1, 2)), Curvatures { mean: r(1, 2), gauss: r(-3, 4) });
+    assert_eq!(saddle.offset(&r(1, 1)), None);
+}
+
+/// A patch of the Koebe mesh of the square grid, inverted, and of its Christoffel dual.
+fn enneper(columns: i64, rows: i64) -> [Mesh<R>; 2] {
+    let grid = |f: &dyn Fn(&R, &R) -> Point<R>| {
+        let at = |i: i64, j: i64| f(&r(2 * i - 1, 2), &r(2 * j - 1, 2));
+        let points =
+            (0..=columns).flat_map(|i| (0..=rows).map(move |j| (i, j))).map(|(i, j)| at(i, j));
+        Mesh::new(points.collect(), quad_patch(columns as usize, rows as usize)).unwrap()
+    };
+    let m = |x: &R, y: &R| {
+        let (x2, y2) = (x.square(), y.square());
+        Point::new(
+            x * (&y2 - &x2 * r(1, 3) + r(1, 12)),
+            y * (&y2 * r(1, 3) - &x2 - r(1, 12)),
+            (&y2 - &x2) * r(1, 2),
+        )
+    };
+    let s = |x: &R, y: &R| {
+        let n = (x.square() + y.square() - r(1, 4)).try_inv().unwrap();
+        Point::new(x * &n, y * &n, n * r(1, 2))
+    };
+    [grid(&m), grid(&s)]
+}
+
+#[test]
+fn the_discrete_enneper_surface() {
+    let [m, s] = enneper(4, 3);
+    let face = |i: u32, j: u32| FaceId(3 * i + j);
+    assert_eq!(m.points[5], Point::new(r(1, 8), r(-1, 8), r(0, 1)));
+    assert_eq!(m.points[10], Point::new(r(19, 8), r(-19, 8), r(0, 1)));
+    assert_eq!(s.points[10], Point::new(r(6, 17), r(6, 17), r(2, 17)));
+    assert!(Parallel::new(&m, &s).is_ok());
+    let pair = FParallel::new(&m, &s).unwrap();
+    let values = [
+        ((0, 0), (-1, 16), (16, 1), (-256, 1)),
+        ((1, 0), (15, 16), (-80, 27), (-256, 81)),
+        ((1, 1), (63, 16), (-112, 153), (-256, 1377)),
+        ((2, 1), (399, 16), (-2128, 42075), (-256, 126_225)),
+        ((2, 2), (1023, 16), (-496, 27489), (-256, 907_137)),
+        ((3, 1), (1599, 16), (-8528, 768_075), (-256, 2_304_225)),
+    ];
+    for ((i, j), area, image, k) in values {
+        let forms = pair.face_forms(face(i, j));
+        let [area, image, k] = [area, image, k].map(|(p, d)| r(p, d));
+        assert_eq!((forms.area(), forms.image_area()), (area, image), "face ({i}, {j})");
+        let c = forms.curvatures().unwrap();
+        assert_eq!((c.mean, c.gauss), (R::zero(), k), "face ({i}, {j})");
+    }
+    for f in m.topology.faces() {
+        assert_eq!(pair.face_forms(f).mixed_area(), R::zero());
+    }
+    let mut wrong = m.clone();
+    wrong.points[5].x += &r(1, 1000);
+    assert!(FParallel::new(&wrong, &s).is_err());
+}
+
+#[test]
+fn the_discrete_logarithmoid() {
+    // σ = 3/5, q = 4, sectors turned by (7/25, 24/25).
+    let power = |k: i64| if k < 0 { r(1, 4i64.pow(-k as u32)) } else { r(4i64.pow(k as u32), 1) };
+    let turn = Rotation::new(r(7, 25), r(24, 25)).unwrap();
+    let mut spokes = vec![Vector2::new(R::one(), R::zero())];
+    for j in 0..3 {
+        let next = turn.turn(&spokes[j]);
+        spokes.push(next);
+    }
+    let net = |radius: &dyn Fn(i64) -> R, height: &dyn Fn(i64) -> R| {
+        let at = |(k, e): (i64, &Vector2<R>)| Point::new(radius(k) * &e.x, radius(k) * &e.y, height(k));
+        let points = (0..=3).flat_map(|k| spokes.iter().map(move |e| (k, e))).map(at).collect();
+        Mesh::new(points, quad_patch(3, 3)).unwrap()
+    };
+    let m = net(&|k| -power(-k), &|k| r(6 * k, 5));
+    let s = net(&power, &|k| power(2 * k) * r(16, 25) * r(1, 2));
+    assert!(Parallel::new(&m, &s).is_ok());
+    let pair = FParallel::new(&m, &s).unwrap();
+    for f in m.topology.faces() {
+        let c = pair.face_curvatures(f).unwrap();
+        let k = i64::from(f.0 / 3);
+        assert_eq!((c.mean, c.gauss), (R::zero(), -power(4 * k + 2)), "face {}", f.0);
+    }
+}
+
+#[test]
+fn the_wheel_of_maxwell() {
+    let at = |x: i64, y: i64, z: i64| Point::new(r(x, 1), r(y, 1), r(z, 1));
+    let m = fan(at(1, 1, -1), vec![at(0, 0, 0), at(4, 0, 0), at(0, 4, 0)]);
+    let pair = inscribed_v_parallel(&m).unwrap();
+    let star = pair.star(CENTRE).unwrap();
+    let spokes: Vec<(u32, R)> =
+        star.iter().map(|e| (e.target.0, e.weight[0].clone())).collect();
+    assert!(spokes.contains(&(1, r(1, 1))) && spokes.contains(&(2, r(1, 2))));
+    assert!(spokes.contains(&(3, r(1, 2))));
+    let load = star.iter().fold(R::zero(), |sum, e| sum + &e.weight[0] * e.edge.length2());
+    // Spokes alone; with the rim −4 − 4 − 4 the sum is 0.
+    assert_eq!(load, r(12, 1));
+    let gradients: Vec<(R, R)> = m
+        .topology
+        .faces()
+        .map(|f| pair.gradient(Which::Mesh, f))
+        .map(|p| (p.x.clone(), p.y.clone()))
+        .collect();
+    assert_eq!(gradients, [(r(0, 1), r(-1, 1)), (r(1, 2), r(1, 2)), (r(-1, 1), r(0, 1))]);
+}
+
+#[test]
+fn principal_curvatures_are_rounded_where_they_are_irrational() {
+    let c = Curvatures { mean: r(1, 1), gauss: r(-1, 1) };
+    let root = f64::sqrt(2.0);
+    assert_eq!(c.principal(), Roots::Rounded([1.0 - root, 1.0 + root].map(|x: f64| x)).cleaned());
+    let none = Curvatures { mean: r(1, 1), gauss: r(2, 1) };
+    assert_eq!(none.principal(), Roots::Complex(r(-1, 1)));
+}
+
+/// `1 − √2` cancels; the library divides K by the other root.
+trait Cleaned {
+    fn cleaned(self) -> Self;
+}
+
+impl Cleaned for Roots<R> {
+    fn cleaned(self) -> Self {
+        match self {
+            Roots::Rounded([_, high]) => Roots::Rounded([-1.0 / high, high]),
+            other => other,
+        }
+    }
+}
