@@ -1,12 +1,18 @@
 //! Floor 6: exact families of meshes.
 
+pub mod accuracy;
 mod circular_net;
+mod delaunay;
 mod metric_dual;
+mod star;
 mod translational_net;
+mod voronoi;
 
 pub use circular_net::circular_net;
+pub use delaunay::{NoTriangulation, delaunay};
 pub use metric_dual::{NoDual, face_plane, metric_dual};
 pub use translational_net::translational_net;
+pub use voronoi::voronoi_areas;
 
 use crate::mesh::FaceList;
 
