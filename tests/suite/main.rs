@@ -7,3 +7,4 @@ mod meshes;
 mod nets;
 mod scalars;
 mod space;
+mod triangulate;

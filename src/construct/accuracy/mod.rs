@@ -12,9 +12,9 @@ use class::Sample;
 
 use super::NoTriangulation;
 use super::star::{StarForms, forms, gradients};
-use crate::mesh::VertexId;
+use crate::mesh::{Mesh, VertexId};
 use crate::scalar::{Approx, Field, Numeral, Ordered, Rational, Ring, Sign};
-use crate::space::{Expression, Gradient, Graph, Jet2, TopView};
+use crate::space::{Expression, Gradient, Graph, Jet2, ParabolicSphere, TopView};
 
 /// The errors of one curvature at the inner vertices of one triangulation.
 #[derive(Clone, Debug, PartialEq)]
@@ -135,11 +135,23 @@ impl Sample {
     }
 }
 
-/// Curvatures H and K of (22), if the area is positive.
-fn curvatures(forms: &StarForms<Rational>) -> Option<[Rational; 2]> {
+/// H and K of (22), if the area is positive.
+fn curvatures<T: Field + Ordered>(forms: &StarForms<T>) -> Option<[T; 2]> {
     let positive = forms.sigma.certain_sign() == Some(Sign::Positive);
     let area = forms.sigma.try_inv().filter(|_| positive)?;
     Some([&forms.mixed * &area, &forms.own * &area])
+}
+
+/// The curvatures `[H, K]` of (22) of a triangle mesh at a vertex, with its lift to Σ as Gauss image.
+///
+/// `None` at a vertex that is not interior, next to a vertical face or one of more than three
+/// corners, and where the area `D(s)` is not positive, which does not occur in Delaunay meshes.
+pub fn vertex_curvatures<T: Field + Ordered>(mesh: &Mesh<T>, v: VertexId) -> Option<[T; 2]> {
+    let sigma = ParabolicSphere::unit();
+    let point = |u: VertexId| mesh.points[u.index()].clone();
+    let lift = |u: VertexId| sigma.contact_at(&mesh.points[u.index()].top_view()).point;
+    let ring = gradients(&mesh.topology, v, point)?;
+    curvatures(&forms(&ring, &gradients(&mesh.topology, v, lift)?))
 }
 
 fn row(surface: &Expression, n: u32, sample: &Sample) -> Row {
