@@ -21,7 +21,7 @@
 //! | [`mesh`] | combinatorics without coordinates, data on elements, files |
 //! | [`check`] | from residuals to verdicts |
 //! | [`net`] | classes of mesh: planar, i-circular, i-conical, ... |
-//! | [`construct`] | exact families, the metric dual |
+//! | [`construct`] | exact families, the metric dual, Delaunay meshes of samples |
 //!
 //! # Example
 //!

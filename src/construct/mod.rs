@@ -1,4 +1,4 @@
-//! Floor 6: exact families of meshes.
+//! Floor 6: exact families of meshes, and meshes made from others or from samples.
 
 pub mod accuracy;
 mod circular_net;
