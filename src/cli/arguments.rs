@@ -46,6 +46,8 @@ pub enum Command {
     Convert(ConvertOptions),
     Dual(DualOptions),
     Move(MoveOptions),
+    Triangulate(TriangulateOptions),
+    Accuracy(AccuracyOptions),
     /// Print a completion script for a shell
     #[command(
         after_help = "Example:\n  isogeo completions bash > ~/.local/share/bash-completion/completions/isogeo"
@@ -187,4 +189,56 @@ pub struct MoveOptions {
     pub translate: Option<String>,
     #[command(flatten)]
     pub output: OutputOptions,
+}
+
+/// Write the Delaunay mesh of scattered samples, every sign decided exactly
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Lines 'x y z' with blanks, commas or semicolons between; # starts a comment; a header line is
+skipped. Vertices keep the order of the file; points on one empty circle are joined to the
+lexicographically lowest, so the mesh depends on the set of points alone.
+With --sample the heights are those of a formula over the top views in FILE: exact for + - * / ^,
+rounded to doubles for sin cos exp sqrt log.
+Examples:
+  isogeo triangulate survey.csv -o survey.iso.json
+  isogeo triangulate --sample 'x^2/2 - x*y' --at places.txt -o graph.iso.json")]
+pub struct TriangulateOptions {
+    /// The samples: lines of three numbers
+    #[arg(required_unless_present = "sample", conflicts_with_all = ["sample", "at"])]
+    pub points: Option<PathBuf>,
+    /// Take heights from a formula in x and y
+    #[arg(long, value_name = "EXPR", requires = "at", allow_hyphen_values = true)]
+    pub sample: Option<String>,
+    /// The top views to sample at: lines of two numbers, a third is not looked at
+    #[arg(long, value_name = "FILE", requires = "sample")]
+    pub at: Option<PathBuf>,
+    /// How numbers are understood
+    #[arg(long, value_enum, value_name = "READING", default_value_t = Reading::Decimal)]
+    pub read_as: Reading,
+    #[command(flatten)]
+    pub output: OutputOptions,
+}
+
+/// Compare the curvatures (22) of sampled surfaces with the smooth ones, by class of triangulation
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The surface z = EXPR is sampled on triangulations of the unit square (oblique and mapped ones lie
+about it); errors are those of H against Δf/2 and of K against det of the Hessian, at the vertices
+in the inner quarter, exactly for formulas of + - * / ^. 'mean' is weighted by area.
+Classes: lattice, right-angled, mapped, union-jack, delaunay (random points).
+Example:
+  isogeo accuracy 'x^4/12 + y^2/2 + x*y^3/6' --class right-angled,union-jack")]
+pub struct AccuracyOptions {
+    /// The surface: a formula in x and y
+    #[arg(value_name = "EXPR", allow_hyphen_values = true)]
+    pub expression: String,
+    /// The classes of triangulation, separated by commas [default: all]
+    #[arg(long, value_name = "CLASS", value_delimiter = ',')]
+    pub class: Vec<String>,
+    /// The mesh sizes 1/N, from coarse to fine
+    #[arg(long, value_name = "N,..", value_delimiter = ',', default_value = "8,16,32,64")]
+    pub sizes: Vec<u32>,
+    /// The seed of the random points
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
 }

@@ -1,5 +1,6 @@
 //! Floor 10: the command line. Parse, one call of the library, print, exit code; no geometry.
 
+mod accuracy;
 mod arguments;
 mod check;
 mod convert;
@@ -9,6 +10,7 @@ mod info;
 mod input;
 mod motion;
 mod output;
+mod triangulate;
 mod usage;
 mod words;
 
@@ -78,6 +80,8 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Convert(options) => convert::run(&options, layout),
         Command::Dual(options) => dual::run(&options, layout),
         Command::Move(options) => motion::run(&options, layout),
+        Command::Triangulate(options) => triangulate::run(&options, layout),
+        Command::Accuracy(options) => accuracy::run(&options, layout),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "isogeo", &mut script);

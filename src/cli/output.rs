@@ -46,18 +46,33 @@ pub fn write(
     options: &Options,
     layout: Layout,
 ) -> Result<(), Failure> {
+    write_saying(path, mesh, options, layout, None)
+}
+
+/// The same, with one more field for programs.
+pub fn write_saying(
+    path: &Path,
+    mesh: &Mesh<Rational>,
+    options: &Options,
+    layout: Layout,
+    extra: Option<(&str, serde_json::Value)>,
+) -> Result<(), Failure> {
     let written = file::write(path, mesh, options)?;
     let exact = written == Written::Exact;
     let (vertices, faces) = (mesh.topology.vertex_count(), mesh.topology.face_count());
     if layout.is_json() {
-        print_json(&serde_json::json!({
+        let mut report = serde_json::json!({
             "schema": "isogeo.written/1",
             "file": path.display().to_string(),
             "vertices": vertices,
             "faces": faces,
             "exact": exact,
             "data_kept": keeps_data(path, mesh),
-        }))
+        });
+        if let Some((key, value)) = extra {
+            report[key] = value;
+        }
+        print_json(&report)
     } else {
         let is_json = Format::from_path(path) == Some(Format::IsoJson);
         let how = match (exact, options.rounded) {

@@ -64,9 +64,10 @@ pub fn inscribed_f_parallel<'a, T: Field>(
         let direction = &mesh.points[to.index()] - &mesh.points[from.index()];
         second_intersection(s, &direction).ok_or(NoGaussImage::VerticalEdge(from, to))
     };
-    let found = spread(&joined_vertices(topology), vertex.index(), &on_sigma(start), |s, a, b, _| {
-        step(s, VertexId(a as u32), VertexId(b as u32))
-    })?;
+    let found =
+        spread(&joined_vertices(topology), vertex.index(), &on_sigma(start), |s, a, b, _| {
+            step(s, VertexId(a as u32), VertexId(b as u32))
+        })?;
     let at = |v: VertexId| &found.values[v.index()];
     let turn = |face: FaceId| {
         let mut edges = topology.half_edges(face).map(|h| (topology.origin(h), topology.target(h)));

@@ -1,19 +1,25 @@
-//! Floor 6: exact families of meshes.
+//! Floor 6: exact families of meshes, and meshes made from others or from samples.
 
+pub mod accuracy;
 mod circular_net;
 mod circumscribed;
+mod delaunay;
 pub mod gauss_image;
 mod inscribed;
 mod metric_dual;
 mod spread;
+mod star;
 mod translational_net;
+mod voronoi;
 
 pub use circular_net::circular_net;
 pub use circumscribed::{Circumscribed, circumscribed_f_parallel, circumscribed_v_parallel};
+pub use delaunay::{NoTriangulation, delaunay};
 pub use gauss_image::NoGaussImage;
 pub use inscribed::{inscribed_f_parallel, inscribed_v_parallel, lift};
 pub use metric_dual::{NoDual, face_plane, metric_dual};
 pub use translational_net::translational_net;
+pub use voronoi::voronoi_areas;
 
 use crate::mesh::FaceList;
 

@@ -1,5 +1,7 @@
 //! The examples run, and what they made is what the repository holds.
 
+#[path = "../../examples/delaunay_gauss_image.rs"]
+mod delaunay_gauss_image;
 #[path = "../../examples/shell.rs"]
 mod shell;
 
@@ -16,4 +18,10 @@ fn the_shipped_meshes_are_those_that_the_example_makes() {
         let read = |folder: &Path| fs::read_to_string(folder.join(name)).expect(name);
         assert!(read(&folder) == read(&shipped), "{name}: cargo run --example shell -- meshes");
     }
+}
+
+#[test]
+fn samples_become_curvatures() {
+    let report = delaunay_gauss_image::report().expect("the example runs");
+    insta::assert_snapshot!(report);
 }

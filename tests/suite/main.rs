@@ -13,3 +13,4 @@ mod pairs;
 mod scalars;
 mod space;
 mod topology;
+mod triangulate;

@@ -35,6 +35,7 @@ mod parts;
 mod ply;
 #[cfg(feature = "ply")]
 mod ply_binary;
+mod points;
 mod source;
 mod vtu;
 mod write;
@@ -48,6 +49,7 @@ use crate::scalar::{Numeral, Rational, ReadAs};
 pub use clear::{Cleared, clear_denominators};
 pub use error::{FileError, Place};
 pub use fraction::{FractionError, MAX_DIGITS, parse_fraction};
+pub use points::{PointFile, read_points, read_points_bytes};
 pub use write::{Options, Written, write, write_string, write_whole};
 
 /// A file format.

@@ -1,9 +1,9 @@
 //! Gauss images (Theorems 1 and 2).
 
+use isogeo::check::Residual;
 use isogeo::construct::*;
 use isogeo::mesh::{FaceId, FaceList, Mesh, VertexId};
 use isogeo::net::i_conical::Balance;
-use isogeo::check::Residual;
 use isogeo::pair::*;
 use isogeo::scalar::{Rational, RationalField};
 use isogeo::space::*;
@@ -153,9 +153,7 @@ fn circumscribed_images_with_the_same_top_view_close_for_every_start<Q: Rational
 }
 
 /// `duality-f-v`: the dual of the lift of a circular net is the circumscribed image of its dual.
-fn duality_exchanges_inscribed_and_circumscribed<Q: RationalField>(
-    draw: &mut Draw<Q>,
-) -> Verdict {
+fn duality_exchanges_inscribed_and_circumscribed<Q: RationalField>(draw: &mut Draw<Q>) -> Verdict {
     let m = circular(draw, 3, 3);
     let (Ok(dual), Ok(image)) = (metric_dual(&m), metric_dual(&lift(&m))) else { return Ok(()) };
     if !graph_faces(&dual) {

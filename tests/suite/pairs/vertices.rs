@@ -32,7 +32,8 @@ fn identities<Q: RationalField>(pair: &VParallel<'_, Q>, v: VertexId) -> Verdict
     let two = Q::from_i64(2);
     for which in [0, 1] {
         let zero = Vector2::new(Q::zero(), Q::zero());
-        let total = star.iter().fold(zero.clone(), |sum, e| &sum + &e.edge.scaled(&e.weight[which]));
+        let total =
+            star.iter().fold(zero.clone(), |sum, e| &sum + &e.edge.scaled(&e.weight[which]));
         prop_assert_eq!(&total, &zero);
         let own = star.iter().fold(Q::zero(), |sum, e| sum + &e.weight[which] * &e.rise[which]);
         let measure = if which == 0 { forms.measure() } else { forms.image_measure() };
@@ -107,9 +108,9 @@ fn cotangents_hold<Q: RationalField>(m: &Mesh<Q>) -> Verdict {
     if graph_faces(&other) {
         let weight = |e: &StarEdge<Q>| cotangent_weight(&other, e.half_edge).unwrap();
         let same = star.iter().all(|e| weight(e) == e.weight[1]);
-        let balance = star.iter().fold(Vector2::new(Q::zero(), Q::zero()), |sum, e| {
-            &sum + &e.edge.scaled(&weight(e))
-        });
+        let balance = star
+            .iter()
+            .fold(Vector2::new(Q::zero(), Q::zero()), |sum, e| &sum + &e.edge.scaled(&weight(e)));
         prop_assert!(same || star.iter().any(|e| weight(e) != e.weight[1]));
         prop_assert!(same || balance.x.is_zero() <= true);
     }
@@ -136,8 +137,7 @@ fn the_lift_measures_circumcentric_area<Q: RationalField>(draw: &mut Draw<Q>) ->
         let forms = pair.vertex_forms(CENTRE).unwrap();
         prop_assert_eq!(twice_area(&centres) * q::<Q>(1, 2), forms.image_measure());
         let star = pair.star(CENTRE).unwrap();
-        let four =
-            star.iter().fold(Q::zero(), |sum, e| sum + &e.weight[1] * e.edge.length2());
+        let four = star.iter().fold(Q::zero(), |sum, e| sum + &e.weight[1] * e.edge.length2());
         prop_assert_eq!(four, forms.four.second.clone());
         prop_assert_eq!(forms.image_is_reversed(), forms.image_measure() < Q::zero());
 
