@@ -87,12 +87,11 @@ fn push_table(text: &mut String, table: &Accuracy, seed: u64) {
         }
         before = Some(row);
     }
-    for (name, trend, exact) in [
-        ("H", table.trend(mean_curvature), table.exact_for_quadratics[0]),
-        ("K", table.trend(curvature), table.exact_for_quadratics[1]),
-    ] {
-        let quadratics = if exact { "exact" } else { "not exact" };
-        let _ = writeln!(text, "  {name}: {}; {quadratics} for all quadratics", words(trend));
+    let trends = [table.trend(mean_curvature), table.trend(curvature)];
+    for (i, name) in ["H", "K"].into_iter().enumerate() {
+        let trend = words(trends[i], table.class.converges()[i]);
+        let quadratics = if table.exact_for_quadratics[i] { "exact" } else { "not exact" };
+        let _ = writeln!(text, "  {name}: {trend}; {quadratics} for all quadratics");
     }
 }
 
@@ -104,11 +103,17 @@ fn curvature(row: &Row) -> &Errors {
     &row.curvature
 }
 
-fn words(trend: Trend) -> String {
-    match trend {
-        Trend::Exact => "exact".into(),
-        Trend::Order(order) => format!("converges, observed order {order:.1}"),
-        Trend::NoConvergence => "DOES NOT CONVERGE pointwise".into(),
+/// The trend, and what theory says where the trend alone would not be plain.
+fn words(trend: Trend, converges: bool) -> String {
+    match (trend, converges) {
+        (Trend::Exact, _) => "exact here".into(),
+        (Trend::Order(order), true) => format!("converges, observed order {order:.1}"),
+        (Trend::Order(order), false) => {
+            format!("observed order {order:.1}, but no convergence in general")
+        }
+        (Trend::NoConvergence | Trend::Unknown, false) => "DOES NOT CONVERGE pointwise".into(),
+        (Trend::NoConvergence, true) => "no convergence observed at these sizes".into(),
+        (Trend::Unknown, true) => "one size shows no order".into(),
     }
 }
 
@@ -125,6 +130,7 @@ fn table_json(table: &Accuracy) -> Value {
         Trend::Exact => json!({"trend": "exact", "order": null}),
         Trend::Order(order) => json!({"trend": "converges", "order": order}),
         Trend::NoConvergence => json!({"trend": "does-not-converge", "order": null}),
+        Trend::Unknown => json!({"trend": "unknown", "order": null}),
     };
     let errors = |errors: &Errors| {
         json!({

@@ -67,6 +67,15 @@ impl Class {
         }
     }
 
+    /// Whether H and K converge pointwise on this class for all smooth surfaces, by theory.
+    pub fn converges(self) -> [bool; 2] {
+        match self {
+            Class::Lattice | Class::RightAngled | Class::Mapped => [true, true],
+            Class::UnionJack => [true, false],
+            Class::Delaunay => [false, false],
+        }
+    }
+
     /// The triangulation with mesh size `1/n`.
     pub(super) fn sample(self, n: u32, seed: u64) -> Result<Sample, NoTriangulation> {
         match self {

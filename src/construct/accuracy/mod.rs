@@ -59,10 +59,13 @@ pub struct Accuracy {
 pub enum Trend {
     /// All errors are exactly 0.
     Exact,
-    /// The largest error falls with the mesh size to about this power.
+    /// The largest error falls about like this power of the mesh size: at least the first, in the
+    /// last refinement and from the coarsest to the finest.
     Order(f64),
-    /// The largest error does not fall like a power of at least one half.
+    /// It does not.
     NoConvergence,
+    /// There is no refinement to tell it from.
+    Unknown,
 }
 
 /// The observed order between two triangulations: `log(error / finer error) / log(finer n / n)`;
@@ -73,17 +76,32 @@ pub fn order(coarse: (u32, &Rational), fine: (u32, &Rational)) -> Option<f64> {
     order.is_finite().then_some(order)
 }
 
+impl Trend {
+    /// From orders, that of the last refinement first.
+    fn observed(orders: &[Option<f64>]) -> Trend {
+        match orders.first() {
+            Some(&Some(last)) if orders.iter().all(|o| o.is_some_and(|order| order >= 1.0)) => {
+                Trend::Order(last)
+            }
+            _ => Trend::NoConvergence,
+        }
+    }
+}
+
 impl Accuracy {
     /// How the errors that `of` picks from a row behave in the last refinement.
     pub fn trend(&self, of: impl Fn(&Row) -> &Errors) -> Trend {
+        let between = |a: &Row, b: &Row| order((a.n, &of(a).largest), (b.n, &of(b).largest));
         if self.rows.iter().all(|row| of(row).largest.is_zero()) {
             return Trend::Exact;
         }
-        let last = match self.rows.as_slice() {
-            [.., a, b] => order((a.n, &of(a).largest), (b.n, &of(b).largest)),
-            _ => None,
+        let [first, .., before, last] = self.rows.as_slice() else {
+            return match self.rows.as_slice() {
+                [first, last] => Trend::observed(&[between(first, last)]),
+                _ => Trend::Unknown,
+            };
         };
-        last.filter(|&order| order >= 0.5).map_or(Trend::NoConvergence, Trend::Order)
+        Trend::observed(&[between(before, last), between(first, last)])
     }
 }
 

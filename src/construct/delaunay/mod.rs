@@ -118,7 +118,7 @@ fn triangulate(
     let mut near = 0;
     for v in along_a_curve(missing, sites.near()) {
         lawson.insert(v, near);
-        near = lawson.sphere.from_vertex(v);
+        near = lawson.sphere.outgoing(v);
     }
     let survey = survey.unwrap_or_else(|| lawson.survey());
     Ok(ties::canonical_faces(&lawson.sphere, &survey.ties))

@@ -103,7 +103,7 @@ impl Sphere {
         self.twins[h as usize]
     }
 
-    /// The half-edges, one for each edge.
+    /// Whether this side stands for its edge: one of the two does.
     pub fn is_first_side(&self, h: Half) -> bool {
         h < self.twin(h)
     }
@@ -119,7 +119,7 @@ impl Sphere {
     }
 
     /// A half-edge from a vertex that is in a triangle.
-    pub fn from_vertex(&self, v: u32) -> Half {
+    pub fn outgoing(&self, v: u32) -> Half {
         self.outgoing[v as usize]
     }
 

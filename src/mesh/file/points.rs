@@ -34,7 +34,8 @@ impl PointFile {
 /// first number that hold none are a header; a third column must be there on all lines or on none.
 ///
 /// # Errors
-/// A file that cannot be read, a word that is no number, a line with fewer than two or more than three.
+/// A file that cannot be read, a word that is no number, a line with fewer than two or
+/// more than three, no line at all.
 pub fn read_points(path: impl AsRef<Path>) -> Result<PointFile, FileError> {
     let path = path.as_ref();
     let name = path.display().to_string();
@@ -94,6 +95,9 @@ pub fn read_points_bytes(name: &str, bytes: &[u8]) -> Result<PointFile, FileErro
             _ => heights.extend(z.iter().cloned()),
         }
         top_views.push(TopView::new(x.clone(), y.clone()));
+    }
+    if top_views.is_empty() {
+        return Err(FileError::new("empty", "points", name, "there is no point in the file"));
     }
     let heights = (!heights.is_empty()).then_some(heights);
     Ok(PointFile { top_views, heights })

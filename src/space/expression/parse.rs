@@ -139,7 +139,10 @@ impl<'a> Parser<'a> {
         let number = self.text[self.at - digits..self.at].parse::<i32>();
         match number {
             Ok(n) if !self.rest().starts_with('.') => Ok(if negative { -n } else { n }),
-            _ => Err(self.error(start..self.at, "expected a whole number as exponent")),
+            _ => {
+                let next = self.rest().chars().next().map_or(0, char::len_utf8);
+                Err(self.error(start..self.at + next, "expected a whole number as exponent"))
+            }
         }
     }
 
