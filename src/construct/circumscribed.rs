@@ -103,7 +103,8 @@ impl<T: Field> Placing<'_, T> {
                     }
                 }
             }
-            let open = |&(k, v): &(usize, usize)| self.image[v].is_none() && self.planes[v].len() == k;
+            let open =
+                |&(k, v): &(usize, usize)| self.image[v].is_none() && self.planes[v].len() == k;
             let Some(next) = choices.iter().position(open) else {
                 return free;
             };
@@ -192,8 +193,9 @@ pub fn circumscribed_v_parallel<'a, T: Field>(
         let [a, b] = [v, w].map(|v| mesh.points[v.index()].top_view());
         reflected(contact, &a, &b).ok_or(NoGaussImage::VerticalEdge(v, w))
     };
-    let found =
-        spread(&joined_faces(topology), face.index(), start, |contact, _, _, h| mirror(contact, h))?;
+    let found = spread(&joined_faces(topology), face.index(), start, |contact, _, _, h| {
+        mirror(contact, h)
+    })?;
     let at = |f: FaceId| &found.values[f.index()];
     for vertex in topology.vertices().filter(|&v| topology.kind(v) == VertexKind::Interior) {
         let star: Vec<_> = topology.star(vertex).collect();

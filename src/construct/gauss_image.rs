@@ -96,7 +96,11 @@ impl<T: fmt::Display> fmt::Display for NoGaussImage<T> {
                 write!(f, "the gradients at vertex {} lie on a line: its image is at infinity", v.0)
             }
             NoGaussImage::VerticalEdge(v, w) => {
-                write!(f, "the edge between vertices {} and {} has length 0 in the top view", v.0, w.0)
+                write!(
+                    f,
+                    "the edge between vertices {} and {} has length 0 in the top view",
+                    v.0, w.0
+                )
             }
             NoGaussImage::FaceOpen { face, residual: Vector3 { x, y, z } } => {
                 write!(f, "face {} does not close: it misses by ({x}, {y}, {z})", face.0)
@@ -105,7 +109,11 @@ impl<T: fmt::Display> fmt::Display for NoGaussImage<T> {
                 write!(f, "vertex {} does not close: it misses by ({x}, {y})", vertex.0)
             }
             NoGaussImage::VertexCycleOpen(cycle) => {
-                write!(f, "the cycle of vertices {} does not close", list(cycle.iter().map(|v| v.0)))
+                write!(
+                    f,
+                    "the cycle of vertices {} does not close",
+                    list(cycle.iter().map(|v| v.0))
+                )
             }
             NoGaussImage::FaceCycleOpen(cycle) => {
                 write!(f, "the cycle of faces {} does not close", list(cycle.iter().map(|f| f.0)))

@@ -32,6 +32,10 @@ pub fn inscribed_v_parallel<T: Field>(mesh: &Mesh<T>) -> Result<VParallel<'_, T>
 /// direction `d` of an edge meets Σ a second time in `s + λ d` with `λ = 2 (d₃ − s'·d')/|d'|²`, which
 /// is rational; so the image of one vertex determines all.
 ///
+/// In the top view such a step is the reflection at the line through the gradient of the face,
+/// across the edge; around a face with an odd number of sides they make up a reflection again, and
+/// only starts over its line close.
+///
 /// A planar i-circular mesh whose faces have an even number of sides has one for every start, if it
 /// is simply connected. With the start over the gradient of a face that face becomes a point. Meshes
 /// of several components start anew, from the first vertex of each and the same point.
@@ -64,9 +68,10 @@ pub fn inscribed_f_parallel<'a, T: Field>(
         let direction = &mesh.points[to.index()] - &mesh.points[from.index()];
         second_intersection(s, &direction).ok_or(NoGaussImage::VerticalEdge(from, to))
     };
-    let found = spread(&joined_vertices(topology), vertex.index(), &on_sigma(start), |s, a, b, _| {
-        step(s, VertexId(a as u32), VertexId(b as u32))
-    })?;
+    let found =
+        spread(&joined_vertices(topology), vertex.index(), &on_sigma(start), |s, a, b, _| {
+            step(s, VertexId(a as u32), VertexId(b as u32))
+        })?;
     let at = |v: VertexId| &found.values[v.index()];
     let turn = |face: FaceId| {
         let mut edges = topology.half_edges(face).map(|h| (topology.origin(h), topology.target(h)));

@@ -13,7 +13,8 @@ pub(super) fn joined_vertices(topology: &Topology) -> Neighbours {
 
 /// The faces joined by edges.
 pub(super) fn joined_faces(topology: &Topology) -> Neighbours {
-    let sides = |h| Some((topology.face_at(h).index(), topology.face_at(topology.twin(h)?).index(), h));
+    let sides =
+        |h| Some((topology.face_at(h).index(), topology.face_at(topology.twin(h)?).index(), h));
     collect(topology.face_count(), topology.edges().filter_map(sides))
 }
 

@@ -44,8 +44,8 @@ pub fn cotangent_weight<T: Field>(mesh: &Mesh<T>, edge: HalfEdge) -> Option<T> {
         if topology.next(apex) != h {
             return None;
         }
-        let [apex, a, b] = [apex, h, topology.next(h)]
-            .map(|h| mesh.points[topology.origin(h).index()].top_view());
+        let [apex, a, b] =
+            [apex, h, topology.next(h)].map(|h| mesh.points[topology.origin(h).index()].top_view());
         cotangent(&apex, &a, &b)
     };
     Some((opposite(edge)? + opposite(topology.twin(edge)?)?) * T::from_ratio(1, 2))

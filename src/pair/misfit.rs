@@ -89,10 +89,9 @@ impl<T: fmt::Display> fmt::Display for Misfit<T> {
             Misfit::Points(which) => {
                 write!(f, "{which} has more or fewer points than vertices")
             }
-            Misfit::Counts { vertices: (v, w), faces: (a, b) } => write!(
-                f,
-                "the combinatorics differ: {v} and {w} vertices, {a} and {b} faces"
-            ),
+            Misfit::Counts { vertices: (v, w), faces: (a, b) } => {
+                write!(f, "the combinatorics differ: {v} and {w} vertices, {a} and {b} faces")
+            }
             Misfit::Face(face) => {
                 write!(f, "the combinatorics differ: face {} has other vertices", face.0)
             }
@@ -107,11 +106,9 @@ impl<T: fmt::Display> fmt::Display for Misfit<T> {
                 "the planes of face {} are not parallel: vertex {} of the Gauss image lies {residual} above the parallel plane",
                 face.0, vertex.0
             ),
-            Misfit::TopViews { vertex, residual: Vector2 { x, y } } => write!(
-                f,
-                "vertex {} has different top views: they differ by ({x}, {y})",
-                vertex.0
-            ),
+            Misfit::TopViews { vertex, residual: Vector2 { x, y } } => {
+                write!(f, "vertex {} has different top views: they differ by ({x}, {y})", vertex.0)
+            }
         }
     }
 }

@@ -101,7 +101,10 @@ impl<T: Field> VParallel<'_, T> {
         self.interior(vertex)?;
         let topology = &self.mesh().topology;
         let [p, q] = [Which::Mesh, Which::Image].map(|which| -> Vec<Gradient<T>> {
-            topology.star(vertex).map(|h| self.gradient(which, topology.face_at(h)).clone()).collect()
+            topology
+                .star(vertex)
+                .map(|h| self.gradient(which, topology.face_at(h)).clone())
+                .collect()
         });
         Ok(VertexForms { vertex, four: Forms::of(&p, &q) })
     }

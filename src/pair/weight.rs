@@ -101,7 +101,8 @@ impl<T: Field> VParallel<'_, T> {
     pub fn jacobian_row(&self, vertex: VertexId) -> Result<Vec<(VertexId, T)>, VertexUndefined> {
         let star = self.star(vertex)?;
         let total = star.iter().fold(T::zero(), |sum, e| sum + &e.weight[0]);
-        let neighbours = star.into_iter().map(|StarEdge { target, weight: [w, _], .. }| (target, w));
+        let neighbours =
+            star.into_iter().map(|StarEdge { target, weight: [w, _], .. }| (target, w));
         Ok(std::iter::once((vertex, -total)).chain(neighbours).collect())
     }
 }

@@ -145,7 +145,8 @@ pub fn triangle_patch<Q: RationalField>(draw: &mut Draw<Q>, m: usize, n: usize) 
     let mut faces = FaceList::new();
     for f in quads.topology.faces() {
         if let [a, b, c, d] = *quads.topology.face(f) {
-            let cuts = if draw.index(2) == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
+            let cuts =
+                if draw.index(2) == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
             cuts.iter().for_each(|t| faces.push(t.map(|v| v.0)));
         }
     }

@@ -9,5 +9,5 @@ mod dual;
 mod incidence;
 mod motions;
 
-pub use draw::{Draw, Verdict, numbers};
 pub(crate) use draw::laws;
+pub use draw::{Draw, Verdict, numbers};

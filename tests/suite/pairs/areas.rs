@@ -56,8 +56,8 @@ fn areas_are_those_of_the_paper<Q: RationalField>(draw: &mut Draw<Q>) -> Verdict
     let det = |a: &TopView<Q>, b: &TopView<Q>| a.position().det(&b.position());
     let next = |j: usize| (j + 1) % k;
     let twice = (0..k).fold(Q::zero(), |sum, j| sum + det(&f[j], &f[next(j)]));
-    let four = (0..k)
-        .fold(Q::zero(), |sum, j| sum + det(&f[j], &s[next(j)]) + det(&s[j], &f[next(j)]));
+    let four =
+        (0..k).fold(Q::zero(), |sum, j| sum + det(&f[j], &s[next(j)]) + det(&s[j], &f[next(j)]));
     prop_assert_eq!(twice_area(&f), twice);
     prop_assert_eq!(four_mixed_areas(&f, &s), four.clone());
     let reversed: Polygon<Q> = f.iter().rev().cloned().collect();

@@ -131,8 +131,7 @@ fn faces_are_means_of_corners<Q: RationalField>(draw: &mut Draw<Q>) -> Verdict {
     let s = parallel_polygon(draw, &m);
     let pair = Parallel::new(&m, &s).unwrap();
     let k = m.points.len();
-    let kappa: Vec<Q> =
-        (0..k).map(|j| pair.edge_curvature(HalfEdge(j as u32)).unwrap()).collect();
+    let kappa: Vec<Q> = (0..k).map(|j| pair.edge_curvature(HalfEdge(j as u32)).unwrap()).collect();
     let edge = |m: &Mesh<Q>, j: usize| (&m.points[(j + 1) % k] - &m.points[j]).top_view();
     for (j, kappa) in kappa.iter().enumerate() {
         prop_assert_eq!(edge(&s, j), edge(&m, j).scaled(kappa));
@@ -181,8 +180,11 @@ fn offsets_of_nets_follow_the_formula_at_all_faces<Q: RationalField>(
         prop_assert_eq!(moved.face_curvatures(face).ok(), law.at(&d));
         let wrong = law.at(&(&d + Q::one()));
         let flat = law.gauss_numerator().is_zero() && law.mean_numerator()[0].is_zero();
-        prop_assert!(flat || moved.face_curvatures(face).ok() != wrong || wrong.is_none()
-            || law.at(&d) == wrong);
+        prop_assert!(
+            flat || moved.face_curvatures(face).ok() != wrong
+                || wrong.is_none()
+                || law.at(&d) == wrong
+        );
     }
     Ok(())
 }

@@ -245,7 +245,8 @@ fn the_discrete_logarithmoid() {
         spokes.push(next);
     }
     let net = |radius: &dyn Fn(i64) -> R, height: &dyn Fn(i64) -> R| {
-        let at = |(k, e): (i64, &Vector2<R>)| Point::new(radius(k) * &e.x, radius(k) * &e.y, height(k));
+        let at =
+            |(k, e): (i64, &Vector2<R>)| Point::new(radius(k) * &e.x, radius(k) * &e.y, height(k));
         let points = (0..=3).flat_map(|k| spokes.iter().map(move |e| (k, e))).map(at).collect();
         Mesh::new(points, quad_patch(3, 3)).unwrap()
     };
@@ -266,8 +267,7 @@ fn the_wheel_of_maxwell() {
     let m = fan(at(1, 1, -1), vec![at(0, 0, 0), at(4, 0, 0), at(0, 4, 0)]);
     let pair = inscribed_v_parallel(&m).unwrap();
     let star = pair.star(CENTRE).unwrap();
-    let spokes: Vec<(u32, R)> =
-        star.iter().map(|e| (e.target.0, e.weight[0].clone())).collect();
+    let spokes: Vec<(u32, R)> = star.iter().map(|e| (e.target.0, e.weight[0].clone())).collect();
     assert!(spokes.contains(&(1, r(1, 1))) && spokes.contains(&(2, r(1, 2))));
     assert!(spokes.contains(&(3, r(1, 2))));
     let load = star.iter().fold(R::zero(), |sum, e| sum + &e.weight[0] * e.edge.length2());
@@ -286,21 +286,8 @@ fn the_wheel_of_maxwell() {
 fn principal_curvatures_are_rounded_where_they_are_irrational() {
     let c = Curvatures { mean: r(1, 1), gauss: r(-1, 1) };
     let root = f64::sqrt(2.0);
-    assert_eq!(c.principal(), Roots::Rounded([1.0 - root, 1.0 + root].map(|x: f64| x)).cleaned());
+    // 1 − √2 cancels; K divided by the other root does not.
+    assert_eq!(c.principal(), Roots::Rounded([-1.0 / (1.0 + root), 1.0 + root]));
     let none = Curvatures { mean: r(1, 1), gauss: r(2, 1) };
     assert_eq!(none.principal(), Roots::Complex(r(-1, 1)));
-}
-
-/// `1 − √2` cancels; the library divides K by the other root.
-trait Cleaned {
-    fn cleaned(self) -> Self;
-}
-
-impl Cleaned for Roots<R> {
-    fn cleaned(self) -> Self {
-        match self {
-            Roots::Rounded([_, high]) => Roots::Rounded([-1.0 / high, high]),
-            other => other,
-        }
-    }
 }
