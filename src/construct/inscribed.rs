@@ -32,6 +32,10 @@ pub fn inscribed_v_parallel<T: Field>(mesh: &Mesh<T>) -> Result<VParallel<'_, T>
 /// direction `d` of an edge meets Σ a second time in `s + λ d` with `λ = 2 (d₃ − s'·d')/|d'|²`, which
 /// is rational; so the image of one vertex determines all.
 ///
+/// In the top view such a step is the reflection at the line through the gradient of the face,
+/// across the edge; around a face with an odd number of sides they make up a reflection again, and
+/// only starts over its line close.
+///
 /// A planar i-circular mesh whose faces have an even number of sides has one for every start, if it
 /// is simply connected. With the start over the gradient of a face that face becomes a point. Meshes
 /// of several components start anew, from the first vertex of each and the same point.

@@ -61,6 +61,9 @@ impl<T: RationalField> Roots<T> {
         let (half, product) = (-(b * &inverse), c * &inverse);
         let root = (discriminant * inverse.square()).to_f64().sqrt();
         let (half, product) = (half.to_f64(), product.to_f64());
+        if half == 0.0 {
+            return Roots::Rounded([-root, root]);
+        }
         let large = if half < 0.0 { half - root } else { half + root };
         let small = product / large;
         Roots::Rounded([large.min(small), large.max(small)])

@@ -12,6 +12,11 @@ use proptest::prelude::*;
 use super::*;
 
 laws! {
+    polygons_on_a_circle_close_iff_their_number_of_sides_is_even
+}
+
+laws! {
+    in 24 cases:
     inscribed_images_close_for_every_start
     starting_over_the_gradient_gives_a_point
     lifts_of_circular_nets_are_planar
@@ -44,6 +49,40 @@ fn inscribed_images_close_for_every_start<Q: RationalField>(draw: &mut Draw<Q>) 
             });
             prop_assert!(zero);
         }
+    }
+    Ok(())
+}
+
+/// `thm-1-f` for single faces. In the top view a step is the reflection at the line through the
+/// gradient across the edge: an odd number of them is a reflection, and starts on its line close.
+fn polygons_on_a_circle_close_iff_their_number_of_sides_is_even<Q: RationalField>(
+    draw: &mut Draw<Q>,
+) -> Verdict {
+    let (k, centre, plane) = (3 + draw.index(5), draw.top_view(), draw.plane());
+    let parameters = [(-3, 1), (-1, 1), (-1, 3), (1, 5), (2, 3), (2, 1), (5, 1)];
+    let corner = |(p, d): (i64, i64)| {
+        let turn = Rotation::from_parameter(&q::<Q>(p, d)).unwrap();
+        plane.point_at(&(&centre + &turn.turn(&Vector2::new(Q::from_i64(2), Q::zero()))))
+    };
+    let mut faces = FaceList::new();
+    faces.push(0..k as u32);
+    let mut m = Mesh::new(parameters.map(corner)[..k].to_vec(), faces).unwrap();
+    let gradient = plane.gradient.dual();
+    let start = &gradient + &Vector2::new(draw.non_zero(), draw.number());
+    match inscribed_f_parallel(&m, VertexId(0), &start) {
+        Ok(pair) => prop_assert!(k % 2 == 0 || pair.parallel().is_ok()),
+        Err(NoGaussImage::FaceOpen { residual, .. }) => {
+            prop_assert_eq!(k % 2, 1);
+            let middle = &start + &residual.top_view().scaled(&q(1, 2));
+            prop_assert!(inscribed_f_parallel(&m, VertexId(0), &middle).is_ok());
+        }
+        Err(other) => prop_assert!(false, "{other}"),
+    }
+    // A quad moved off its circle is open for all these starts.
+    if k == 4 {
+        let by = (&m.points[1] - &m.points[0]).top_view();
+        m.points[0] = plane.point_at(&(&m.points[0].top_view() + &by.scaled(&q(-1, 2))));
+        prop_assert!(inscribed_f_parallel(&m, VertexId(0), &start).is_err());
     }
     Ok(())
 }

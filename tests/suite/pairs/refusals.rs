@@ -48,7 +48,7 @@ fn the_words_for_a_misfit() {
     );
     assert_eq!(
         words(VParallel::new(&square, &bent).unwrap_err()),
-        "in the Gauss image, face 0 is not planar: a vertex lies 1/3 above the plane of three others"
+        "in the Gauss image, face 0 is not planar: a vertex lies -1/3 above the plane of three others"
     );
     assert_eq!(
         words(Parallel::new(&square, &bent).unwrap_err()),
@@ -112,7 +112,7 @@ fn flat_images_have_no_curvature() {
     let pair = VParallel::new(&m, &flat).unwrap();
     let undefined = VertexUndefined::ZeroMeasure(VertexId(0));
     assert_eq!(pair.vertex_curvatures(VertexId(0)), Err(undefined));
-    assert_eq!(pair.vertex_forms(VertexId(0)).unwrap().measure(), q::<R>(2, 1));
+    assert_eq!(pair.vertex_forms(VertexId(0)).unwrap().measure(), q::<R>(4, 1));
     let vertical = fan(at(0, 0, 0), vec![at(1, 0, 0), at(2, 0, 0), at(0, 1, 0)]);
     assert!(matches!(inscribed_v_parallel(&vertical), Err(Misfit::Plane(Which::Mesh, _))));
 }

@@ -11,17 +11,21 @@ use super::*;
 
 laws! {
     weights_are_in_equilibrium_and_the_mixed_measure_is_their_laplacian
-    weights_of_planar_faces_do_the_same
-    lifts_have_cotangent_weights
     the_lift_measures_circumcentric_area
-    measures_add_up_to_the_boundary
-    measures_have_the_stress_as_their_derivative
     vertical_offsets_shift_mean_curvature
-    vertex_curvatures_are_face_curvatures_of_the_dual
     lattice_triangulations_are_exact_for_quadratics
     flips_on_a_circle_keep_mean_curvature
     motions_keep_curvatures_of_vertices
     edge_curvatures_are_ratios_of_weights
+}
+
+laws! {
+    in 64 cases:
+    weights_of_planar_faces_do_the_same
+    measures_add_up_to_the_boundary
+    measures_have_the_stress_as_their_derivative
+    vertex_curvatures_are_face_curvatures_of_the_dual
+    lifts_have_cotangent_weights
 }
 
 const CENTRE: VertexId = VertexId(0);
@@ -102,18 +106,14 @@ fn cotangents_hold<Q: RationalField>(m: &Mesh<Q>) -> Verdict {
     if let Ok(c) = forms.curvatures() {
         prop_assert_eq!(c.mean * Q::from_i64(2) * forms.image_measure(), laplacian.clone());
     }
-    // Any other top view of a neighbour: the weights no longer fit the heights.
+    // One height disturbed: the sum changes with the cotangents of that edge.
     let mut other = m.clone();
-    other.points[1].x += &Q::one();
-    if graph_faces(&other) {
-        let weight = |e: &StarEdge<Q>| cotangent_weight(&other, e.half_edge).unwrap();
-        let same = star.iter().all(|e| weight(e) == e.weight[1]);
-        let balance = star
-            .iter()
-            .fold(Vector2::new(Q::zero(), Q::zero()), |sum, e| &sum + &e.edge.scaled(&weight(e)));
-        prop_assert!(same || star.iter().any(|e| weight(e) != e.weight[1]));
-        prop_assert!(same || balance.x.is_zero() <= true);
-    }
+    other.points[1].z += &Q::one();
+    let raised = VParallel::new(&other, pair.image()).unwrap().vertex_forms(CENTRE).unwrap();
+    let edge = star.iter().find(|e| e.target == VertexId(1)).unwrap();
+    let cotangent = cotangent_weight(m, edge.half_edge).unwrap();
+    let same = raised.mixed_measure() * Q::from_i64(2) == laplacian;
+    prop_assert_eq!(same, cotangent.is_zero());
     Ok(())
 }
 

@@ -118,14 +118,19 @@ impl<Q: RationalField> Draw<Q> {
     }
 }
 
-/// Runs laws for both exact scalars.
+/// Runs laws for both exact scalars; `in 20 cases:` in front for slow ones.
 macro_rules! laws {
-    ($($law:ident)*) => { $(
+    (in $cases:literal cases: $($law:ident)*) => {
+        $( $crate::space::laws!(@ (proptest::prelude::ProptestConfig::with_cases($cases)) $law); )*
+    };
+    (@ ($config:expr) $law:ident) => {
         mod $law {
             use isogeo::scalar::{BigRational, Rational};
-            use crate::space::{Draw, numbers};
+            use $crate::space::{Draw, numbers};
 
             proptest::proptest! {
+                #![proptest_config($config)]
+
                 #[test]
                 fn rational(numbers in numbers()) {
                     super::$law::<Rational>(&mut Draw::new(numbers))?;
@@ -137,6 +142,9 @@ macro_rules! laws {
                 }
             }
         }
-    )* };
+    };
+    ($($law:ident)*) => {
+        $( $crate::space::laws!(@ (proptest::prelude::ProptestConfig::default()) $law); )*
+    };
 }
 pub(crate) use laws;
