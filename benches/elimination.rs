@@ -1,8 +1,8 @@
 //! What the spaces of parallel and v-parallel meshes cost: ours beside Gauss on fractions.
 //!
 //! `cargo bench --bench elimination` runs both on patches of 10 × 10 to 60 × 60 quads;
-//! `-- --naive 20` sets the largest side for Gauss, `-- --basis 20` the largest side for which the
-//! basis over a *general* top view is computed: its numbers grow with the number of faces.
+//! `-- --naive 20` sets the largest side for Gauss, `-- --basis 60` the largest side for which the
+//! basis over a *general* top view is computed: its numbers grow with the patch.
 
 use std::time::Instant;
 
@@ -17,7 +17,7 @@ fn main() {
         let mut arguments = std::env::args().skip_while(|a| a != name).skip(1);
         arguments.next().and_then(|n| n.parse().ok()).unwrap_or(default)
     };
-    let (naive, basis) = (option("--naive", 20), option("--basis", 20));
+    let (naive, basis) = (option("--naive", 20), option("--basis", 60));
     for (what, net) in [
         ("translational nets, heights and steps p / q below 10", translational as fn(usize) -> _),
         ("general top views: a grid of step 10, each vertex moved by up to 3", general),

@@ -121,7 +121,7 @@ proptest! {
         let system = system(columns, &rows);
         let solution = system.eliminate().solve(&b).expect("a value for every equation");
         let extended: Matrix<Q> =
-            rows.iter().zip(&b).map(|(row, b)| [&row[..], &[b.clone()]].concat()).collect();
+            rows.iter().zip(&b).map(|(row, b)| [&row[..], std::slice::from_ref(b)].concat()).collect();
         prop_assert_eq!(solution.is_some(), rank(&extended) == rank(&rows));
         if let Some(solution) = solution {
             prop_assert_eq!(times(&rows, &solution), b);

@@ -65,9 +65,9 @@ impl<'a> Lifter<'a> {
     /// columns without pivot; there is exactly one, by Cramer's rule.
     ///
     /// More primes are taken until the fractions found solve the equations over the integers, so
-    /// that the answer is certain. By Hadamard's bound this happens at the latest when the product
-    /// of the primes exceeds `2 ∏ |row|²`, up to the slack; it happens as soon as the product
-    /// exceeds twice the product of the largest numerator and denominator.
+    /// that the answer is certain. It happens as soon as the product of the primes exceeds, by the
+    /// slack, the square of the longest numerator or denominator; those are minors of the pivot
+    /// rows, so that Hadamard's bound `∏ |row|` holds for them.
     pub fn vector(&self, free: u32) -> RationalVector {
         let mut count = 2;
         let mut doubtful = 0;

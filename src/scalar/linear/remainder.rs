@@ -71,13 +71,13 @@ impl Reconstruction {
     /// The numerator `n` of `x = n / denominator` modulo `M`, after the denominator has been
     /// multiplied by what is missing; `None` where no fraction is short enough.
     ///
-    /// The fraction is the one of P. Wang, M. Guy and J. Davenport, *P-adic reconstruction of
+    /// Mostly the denominator found so far serves again. Otherwise the fraction is the one of P. Wang, M. Guy and J. Davenport, *P-adic reconstruction of
     /// rational numbers* (1982): the first remainder of Euclid's algorithm on `(M, x)` below the
     /// square root.
     pub fn numerator(&mut self, x: &BigInt) -> Option<BigInt> {
         let y = self.centred(x * &self.denominator);
         let bits = self.modulus.bits().checked_sub(SLACK + self.denominator.bits())?;
-        if y.bits() <= bits / 2 {
+        if y.bits() <= bits {
             return Some(y);
         }
         let bound = BigInt::one() << (bits / 2);
