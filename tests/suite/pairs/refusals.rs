@@ -40,7 +40,7 @@ fn other_combinatorics() {
 fn the_words_for_a_misfit() {
     let square = one_face(vec![at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0)]);
     let mut bent = square.clone();
-    bent.points[2].z += &q(1, 3);
+    bent.points[2].z += &q::<R>(1, 3);
     let words = |m: Misfit<R>| m.to_string();
     assert_eq!(
         words(FParallel::new(&square, &bent).unwrap_err()),
