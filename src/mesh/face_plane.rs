@@ -54,7 +54,7 @@ impl<T: Field> Mesh<T> {
 }
 
 /// The plane through three points whose top views are not collinear: three in a row if possible.
-fn spanning_plane<T: Field>(points: &[&Point<T>]) -> Option<Plane<T>> {
+pub(crate) fn spanning_plane<T: Field>(points: &[&Point<T>]) -> Option<Plane<T>> {
     let in_a_row = points.windows(3).find_map(|p| Plane::through(p[0], p[1], p[2]).ok());
     in_a_row.or_else(|| {
         let (first, rest) = points.split_first()?;

@@ -1,6 +1,7 @@
 //! Floor 2: meshes — combinatorics without coordinates, data on elements, files.
 
 mod dual;
+mod exact_points;
 mod face_plane;
 pub mod file;
 mod topology;
@@ -10,7 +11,9 @@ use std::collections::BTreeMap;
 use crate::space::{Point, Transform};
 
 pub use dual::DualTopology;
+pub use exact_points::{ExactPoints, Lattice};
 pub use face_plane::NoPlane;
+pub(crate) use face_plane::spanning_plane;
 pub use topology::{FaceId, FaceList, HalfEdge, Topology, TopologyError, VertexId, VertexKind};
 
 /// A mesh: combinatorics, a point for every vertex, and named values on its elements.

@@ -1,7 +1,7 @@
 //! H and K with what follows from them alone.
 
 use super::Roots;
-use crate::scalar::{Field, RationalField, Ring};
+use crate::scalar::{BigInt, Field, Fraction, RationalField, Ring};
 
 /// The i-mean curvature H and the i-curvature K of a face (17) or of a vertex (22).
 ///
@@ -73,6 +73,13 @@ impl<T: Field> Curvatures<T> {
     pub fn dual(&self) -> Option<Self> {
         let gauss = self.gauss.try_inv()?;
         Some(Curvatures { mean: &self.mean * &gauss, gauss })
+    }
+}
+
+impl Curvatures<Fraction<BigInt>> {
+    /// The same numbers in lowest terms.
+    pub fn reduced<Q: RationalField>(&self) -> Option<Curvatures<Q>> {
+        Some(Curvatures { mean: self.mean.reduced()?, gauss: self.gauss.reduced()? })
     }
 }
 

@@ -2,10 +2,12 @@
 
 use std::fmt;
 
-use super::{Curvatures, FParallel, Forms, OffsetLaw};
-use crate::mesh::{FaceId, Mesh};
+use rayon::prelude::*;
+
+use super::{Curvatures, FParallel, Forms, Misfit, OffsetLaw, Which};
+use crate::mesh::{FaceId, Mesh, Topology, VertexId};
 use crate::scalar::Field;
-use crate::space::TopView;
+use crate::space::{Point, TopView, Vector2};
 
 /// Area, mixed area and area of the Gauss image of a face with any number of corners.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,8 +52,7 @@ impl<T: Field> FaceForms<T> {
     /// # Errors
     /// Where `area(F) = 0`.
     pub fn curvatures(&self) -> Result<Curvatures<T>, ZeroArea> {
-        let scale = self.four.first.try_inv().ok_or(ZeroArea(self.face))?;
-        Ok(Curvatures { mean: &self.four.mixed * &scale, gauss: &self.four.second * scale })
+        self.four.at_face().ok_or(ZeroArea(self.face))
     }
 
     /// How H and K of the offset faces `F + dS` depend on d (18).
@@ -88,6 +89,38 @@ impl<T: Field> FParallel<'_, T> {
     pub fn face_curvatures(&self, face: FaceId) -> Result<Curvatures<T>, ZeroArea> {
         self.face_forms(face).curvatures()
     }
+}
+
+/// H and K of all faces (17), in parallel; at memory speed in `f64`.
+///
+/// The meshes are given by their combinatorics and their points; nothing else is asked of them, so
+/// that they are f-parallel is for [`FParallel`] to check, where numbers do not round.
+///
+/// # Errors
+/// [`Misfit::Points`] for a list of points that is too short or too long; in the list, a face of
+/// signed area 0.
+pub fn face_curvatures<T: Field>(
+    topology: &Topology,
+    mesh: &[Point<T>],
+    image: &[Point<T>],
+) -> Result<Vec<Result<Curvatures<T>, ZeroArea>>, Misfit<T>> {
+    for (which, points) in [(Which::Mesh, mesh), (Which::Image, image)] {
+        if points.len() != topology.vertex_count() {
+            return Err(Misfit::Points(which));
+        }
+    }
+    let vector = |points: &[Point<T>], from: &Point<T>, to: VertexId| {
+        let to = &points[to.index()];
+        Vector2::new(&to.x - &from.x, &to.y - &from.y)
+    };
+    let curvatures = |face: FaceId| {
+        let (first, rest) = topology.face(face).split_first().ok_or(ZeroArea(face))?;
+        let (m, s) = (&mesh[first.index()], &image[first.index()]);
+        let fan = rest.iter().map(|&v| (vector(mesh, m, v), vector(image, s, v)));
+        Forms::of_fan(fan).at_face().ok_or(ZeroArea(face))
+    };
+    let faces = (0..topology.face_count() as u32).into_par_iter().with_min_len(4096);
+    Ok(faces.map(|face| curvatures(FaceId(face))).collect())
 }
 
 fn top_views<T: Clone>(mesh: &Mesh<T>, face: FaceId) -> Vec<TopView<T>> {

@@ -1,7 +1,8 @@
 //! The three values of the area form on a pair of polygons.
 
-use super::{Corner, four_mixed_areas, twice_area};
-use crate::scalar::Ring;
+use super::{Corner, Curvatures};
+use crate::scalar::{Field, Ring};
+use crate::space::Vector2;
 
 /// `4 area(F)`, `4 area(F, S)` and `4 area(S)`: the area form and its polar form on a pair, four
 /// times as large, so that no division is needed.
@@ -25,15 +26,42 @@ pub struct Forms<T> {
     pub second: T,
 }
 
+impl<T> Forms<T> {
+    /// The forms in other numbers.
+    pub fn map<S>(&self, f: impl Fn(&T) -> S) -> Forms<S> {
+        Forms { first: f(&self.first), mixed: f(&self.mixed), second: f(&self.second) }
+    }
+
+    /// The forms in other numbers, if all of them are such.
+    pub fn try_map<S>(&self, f: impl Fn(&T) -> Option<S>) -> Option<Forms<S>> {
+        Some(Forms { first: f(&self.first)?, mixed: f(&self.mixed)?, second: f(&self.second)? })
+    }
+}
+
 impl<T: Ring> Forms<T> {
     /// The forms of two polygons with the same number of corners.
     pub fn of<P: Corner<T>>(f: &[P], s: &[P]) -> Self {
-        let two = T::from_i64(2);
-        Forms {
-            first: twice_area(f) * &two,
-            mixed: four_mixed_areas(f, s),
-            second: twice_area(s) * two,
+        let (Some((first_f, f)), Some((first_s, s))) = (f.split_first(), s.split_first()) else {
+            return Forms::zero();
+        };
+        Self::of_fan(f.iter().zip(s).map(|(v, w)| (v.seen_from(first_f), w.seen_from(first_s))))
+    }
+
+    /// The forms of two polygons from their corners after the first, each seen from the first.
+    #[inline]
+    pub fn of_fan(mut corners: impl Iterator<Item = (Vector2<T>, Vector2<T>)>) -> Self {
+        let Some((mut v, mut w)) = corners.next() else {
+            return Forms::zero();
+        };
+        let mut sum = Forms::zero();
+        for (next_v, next_w) in corners {
+            sum.first += &v.det(&next_v);
+            sum.mixed += &(v.det(&next_w) + w.det(&next_v));
+            sum.second += &w.det(&next_w);
+            (v, w) = (next_v, next_w);
         }
+        let two = T::from_i64(2);
+        Forms { first: sum.first * &two, mixed: sum.mixed, second: sum.second * two }
     }
 
     /// `16 (area(F, S)² − area(F) area(S))`: has the sign of `H² − K`, for faces and for vertices.
@@ -49,6 +77,25 @@ impl<T: Ring> Forms<T> {
         let mixed = &self.mixed + d * &self.second;
         let first = &self.first + d * (&self.mixed + &mixed);
         Forms { first, mixed, second: self.second.clone() }
+    }
+
+    /// `H = mixed/first`, `K = second/first`: the curvatures of a face (17); `None` if `first` is 0.
+    pub fn at_face(&self) -> Option<Curvatures<T>>
+    where
+        T: Field,
+    {
+        let scale = self.first.try_inv()?;
+        Some(Curvatures { mean: &self.mixed * &scale, gauss: &self.second * scale })
+    }
+
+    /// `H = mixed/second`, `K = first/second`: the curvatures of a vertex (22); `None` if `second`
+    /// is 0.
+    pub fn at_vertex(&self) -> Option<Curvatures<T>>
+    where
+        T: Field,
+    {
+        let scale = self.second.try_inv()?;
+        Some(Curvatures { mean: &self.mixed * &scale, gauss: &self.first * scale })
     }
 
     /// All values with the opposite sign: the forms seen from the other side.

@@ -3,7 +3,7 @@
 use super::{Curvatures, FParallel, Forms, Parallel, Roots, VParallel};
 use crate::mesh::{Data, Mesh};
 use crate::scalar::{Field, RationalField, Ring};
-use crate::space::Point;
+use crate::space::{Point, TopView};
 
 /// H and K of the offset faces `F + dS`, seen with the same S, as rational functions of d (18).
 ///
@@ -46,9 +46,7 @@ impl<T: Ring> OffsetLaw<T> {
 impl<T: Field> OffsetLaw<T> {
     /// H and K at a distance, from the formula; `None` at a critical one.
     pub fn at(&self, d: &T) -> Option<Curvatures<T>> {
-        let Forms { first, mixed, second } = self.four.offset(d);
-        let scale = first.try_inv()?;
-        Some(Curvatures { mean: mixed * &scale, gauss: second * scale })
+        self.four.offset(d).at_face()
     }
 }
 
@@ -57,6 +55,53 @@ impl<T: RationalField> OffsetLaw<T> {
     /// principal curvatures κ that are not 0.
     pub fn critical(&self) -> Roots<T> {
         Roots::of(&self.four.second, &self.four.mixed, &self.four.first)
+    }
+}
+
+/// What (15)–(18) leave over on two polygons: everything about `F + dS` is computed from its
+/// corners and compared with what the formulas say from F and S. All three are 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OffsetResiduals<T> {
+    /// `4 area(F + dS)` less the polynomial in d.
+    pub area: T,
+    /// H of `F + dS` by (17) less what (18) says.
+    pub mean: T,
+    /// K of `F + dS` by (17) less what (18) says.
+    pub gauss: T,
+}
+
+impl<T: Field> OffsetResiduals<T> {
+    /// The residuals of two polygons with the same number of corners, of any shape; `None` where F
+    /// or `F + dS` has area 0.
+    ///
+    /// ```
+    /// use isogeo::pair::OffsetResiduals;
+    /// use isogeo::scalar::{Field, Rational, Ring};
+    /// use isogeo::space::TopView;
+    /// let at = |x, y| TopView::new(Rational::from_i64(x), Rational::from_i64(y));
+    /// let (f, s) = ([at(0, 0), at(3, 1), at(1, 2)], [at(5, 0), at(0, 1), at(1, 7)]);
+    /// let zero = Rational::zero();
+    /// let none = OffsetResiduals { area: zero.clone(), mean: zero.clone(), gauss: zero };
+    /// assert_eq!(OffsetResiduals::of(&f, &s, &Rational::from_ratio(1, 2)), Some(none));
+    /// ```
+    pub fn of(f: &[TopView<T>], s: &[TopView<T>], d: &T) -> Option<Self> {
+        let moved: Vec<_> = f.iter().zip(s).map(|(v, w)| v + &w.position().scaled(d)).collect();
+        Self::of_forms(&Forms::of(f, s), Forms::of(&moved, s), d)
+    }
+
+    /// The residuals from the forms of F, S and of `F + dS`, S.
+    pub(super) fn of_forms(base: &Forms<T>, offset: Forms<T>, d: &T) -> Option<Self> {
+        let (expected, found) = (base.at_face()?.offset(d)?, offset.at_face()?);
+        Some(OffsetResiduals {
+            area: offset.first - base.offset(d).first,
+            mean: found.mean - expected.mean,
+            gauss: found.gauss - expected.gauss,
+        })
+    }
+
+    /// Whether all are 0.
+    pub fn vanish(&self) -> bool {
+        [&self.area, &self.mean, &self.gauss].into_iter().all(T::is_zero)
     }
 }
 

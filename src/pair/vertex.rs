@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{Curvatures, Forms, VParallel, Which};
-use crate::mesh::{VertexId, VertexKind};
+use crate::mesh::{FaceId, VertexId, VertexKind};
 use crate::scalar::{Field, Ordered, Sign};
 use crate::space::Gradient;
 
@@ -27,6 +27,8 @@ pub enum VertexUndefined {
     NotInterior(VertexId, VertexKind),
     /// `D(s) = 0`: the faces of the Gauss image around it have no area under duality.
     ZeroMeasure(VertexId),
+    /// A face at it is vertical or collinear, so that it has no gradient.
+    NotAGraph(VertexId, FaceId),
     /// An edge of the star has length zero in the top view, so it has no weight.
     ZeroLength(VertexId, VertexId),
 }
@@ -45,6 +47,9 @@ impl fmt::Display for VertexUndefined {
             }
             VertexUndefined::ZeroMeasure(v) => {
                 write!(f, "vertex {} has no curvature: the measure of its image is 0", v.0)
+            }
+            VertexUndefined::NotAGraph(v, face) => {
+                write!(f, "vertex {} has no curvature: face {} is vertical", v.0, face.0)
             }
             VertexUndefined::ZeroLength(v, w) => {
                 write!(f, "the edge from vertex {} to {} has length 0 in the top view", v.0, w.0)
@@ -77,9 +82,7 @@ impl<T: Field> VertexForms<T> {
     /// # Errors
     /// Where `D(s) = 0`.
     pub fn curvatures(&self) -> Result<Curvatures<T>, VertexUndefined> {
-        let undefined = VertexUndefined::ZeroMeasure(self.vertex);
-        let scale = self.four.second.try_inv().ok_or(undefined)?;
-        Ok(Curvatures { mean: &self.four.mixed * &scale, gauss: &self.four.first * scale })
+        self.four.at_vertex().ok_or(VertexUndefined::ZeroMeasure(self.vertex))
     }
 }
 

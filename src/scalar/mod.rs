@@ -5,6 +5,8 @@
 //! | [`Rational`] | ℚ, the program's own (malachite) | yes | yes |
 //! | [`BigRational`] | ℚ again (num-rational): the oracle of the first | yes | yes |
 //! | [`BigInt`] | ℤ: fractions cleared | yes | yes |
+//! | [`Narrow`], [`Wide`] | ℤ up to 2 or `W` words, without heap | –, yes | yes |
+//! | [`Fraction`] | fractions over another, not reduced | where `R` has one | as `R` |
 //! | [`Quadratic`] | `a + b √D` over another: regular hexagons and octagons | where `T` has one | as `T` |
 //! | [`Dual`] | value and first derivatives over another; nests | no | as `T` |
 //! | [`Prime61`] | integers modulo the prime 2^61 − 1: fast identity tests | no | yes |
@@ -18,8 +20,10 @@
 //! [`Numeral`] is not a scalar: it is a number as a file prints it.
 
 mod ball;
+mod bounded;
 mod dual;
 mod float;
+mod fraction;
 mod integer;
 mod linear;
 mod magnitude;
@@ -33,9 +37,12 @@ mod rational;
 mod residue;
 pub(crate) mod ring;
 mod variation;
+mod wide;
 
 pub use ball::{Ball, Midpoint};
+pub use bounded::{Bounded, Narrow};
 pub use dual::Dual;
+pub use fraction::Fraction;
 pub use linear::{Echelon, LinearSystem, NoSuchUnknown};
 pub use magnitude::Magnitude;
 pub use num_bigint::BigInt;
@@ -49,3 +56,4 @@ pub use rational::{Rational, RationalField};
 pub use residue::Residue;
 pub use ring::{DivRef, Field, Ring, RingRef, Same, det3};
 pub use variation::Variation;
+pub use wide::Wide;

@@ -85,7 +85,7 @@ fn weights_of_planar_faces_do_the_same<Q: RationalField>(draw: &mut Draw<Q>) -> 
 }
 
 /// A star of four or five points anywhere: obtuse, folded, winding as it likes.
-fn wild<Q: RationalField>(draw: &mut Draw<Q>) -> Option<Mesh<Q>> {
+pub fn wild<Q: RationalField>(draw: &mut Draw<Q>) -> Option<Mesh<Q>> {
     let k = 4 + draw.index(2);
     let mesh = fan(draw.point(), (0..k).map(|_| draw.point()).collect());
     graph_faces(&mesh).then_some(mesh)

@@ -1,8 +1,8 @@
 //! The instances agree: one random formula, evaluated in each, gives images of one number.
 
 use isogeo::scalar::{
-    Ball, BigInt, BigRational, Dual, Field, Ordered, Prime61, Quadratic, Rational, RationalField,
-    Residue, Ring,
+    Approx, Ball, BigInt, BigRational, Bounded, Dual, Field, Fraction, Narrow, Ordered, Prime61,
+    Quadratic, Rational, RationalField, Residue, Ring, Wide,
 };
 use proptest::array::uniform4;
 use proptest::prelude::*;
@@ -54,6 +54,67 @@ fn residues_are_those_of_the_integers() -> Result<(), String> {
     compare::<2>()?;
     compare::<3>()?;
     compare::<4>()
+}
+
+/// The integer or the knowledge that there was not room for it, whatever happens on the way.
+#[test]
+fn bounded_integers_are_right_or_overflown() -> Result<(), String> {
+    fn compare<R: Bounded>(of: fn(&BigInt) -> Option<R>) -> Result<(), String> {
+        holds((polynomials(4), uniform4(integers())), |(f, at)| {
+            let exact = f.polynomial(&at);
+            let [Some(a), Some(b), Some(c), Some(d)] = at.each_ref().map(of) else {
+                return Ok(());
+            };
+            let found = f.polynomial(&[a, b, c, d]);
+            equal("it says so", found.to_big().is_none(), found.is_overflown())?;
+            equal("as in another size", found.to_wide::<9>().to_big(), found.to_big())?;
+            match found.to_big() {
+                Some(found) => equal("the value", found, exact),
+                None => that("what is too large is not 0", !found.is_zero() && found != R::zero()),
+            }
+        })
+    }
+    compare(|n| Some(Narrow::from(i128::try_from(n).ok()?)))?;
+    compare(|n| Some(n.to_wide::<2>()))?;
+    compare(|n| Some(n.to_wide::<3>()))?;
+    compare(|n| Some(n.to_wide::<8>()))
+}
+
+#[test]
+fn small_formulas_fit_and_large_ones_do_not() {
+    let (n, bits) = (Narrow::from(i128::MAX), Wide::<2>::from(i128::MIN));
+    assert_eq!((&n - Narrow::from(1) + Narrow::from(1)).to_big(), Some(i128::MAX.into()));
+    assert!((&n + Narrow::from(1)).is_overflown());
+    assert!((-Narrow::from(i128::MIN)).is_overflown());
+    assert_eq!((&bits + &bits).to_big(), None);
+    assert_eq!((-&bits - Wide::from(1)).to_big(), Some(i128::MAX.into()));
+    assert!((&bits * &bits).is_overflown());
+    assert_eq!(BigInt::from(-7).to_wide::<2>(), Wide::from(-7));
+    assert!((BigInt::from(1) << 128u32).to_wide::<2>().is_overflown());
+}
+
+#[test]
+fn unreduced_fractions_stand_for_the_same_numbers() -> Result<(), String> {
+    holds((quotients(4), uniform4(small_fractions::<Rational>())), |(f, at)| {
+        let raw = |x: &Rational| Fraction::new(x.numerator() * -6, x.denominator() * -6);
+        let found = f.rational(&at.each_ref().map(raw));
+        let exact = f.rational(&at);
+        let signs =
+            (found.as_ref().map(Ordered::certain_sign), exact.as_ref().map(Ordered::certain_sign));
+        equal("the sign", signs.0, signs.1)?;
+        let doubles = (found.as_ref().map(Approx::to_f64), exact.as_ref().map(Approx::to_f64));
+        equal("the nearest double", doubles.0, doubles.1)?;
+        equal("the value", found.and_then(|x| x.reduced::<Rational>()), exact)
+    })
+}
+
+#[test]
+fn a_fraction_over_zero_equals_nothing() {
+    let over_zero = Fraction::from_ratio(1, 2) / Fraction::<BigInt>::zero();
+    assert!(over_zero != over_zero && !over_zero.is_zero());
+    assert_eq!(over_zero.reduced::<Rational>(), None);
+    assert_eq!(over_zero.certain_sign(), None);
+    assert_eq!(Fraction::<BigInt>::zero().try_inv(), None);
 }
 
 #[test]

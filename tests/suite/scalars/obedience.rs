@@ -30,6 +30,8 @@ obeys! {
     residue_of_2_words: ring(residues::<2>());
     residue_of_3_words: ring(residues::<3>());
     residue_of_4_words: ring(residues::<4>());
+    wide_integers: ring(wides::<24>()), order(wides::<24>());
+    unreduced_fractions: ring(unreduced()), field(unreduced(), not_zero), order(unreduced());
     prime_field: ring(primes()), field(primes(), not_zero);
     // Where doubles are exact: small integers for the ring, powers of two for the field.
     doubles: ring((-1000i32..1000).prop_map(f64::from)), order((-1000i32..1000).prop_map(f64::from)),

@@ -1,7 +1,9 @@
 //! Strategies for the numbers of every instance: small ones, so that coincidences occur, and large
 //! ones, so that words overflow.
 
-use isogeo::scalar::{BigInt, Dual, Field, Prime61, Quadratic, RationalField, Residue, Ring};
+use isogeo::scalar::{
+    BigInt, Bounded, Dual, Field, Fraction, Prime61, Quadratic, RationalField, Residue, Ring, Wide,
+};
 use proptest::array::uniform;
 use proptest::prelude::*;
 
@@ -48,4 +50,16 @@ pub fn quadratics<T: Ring, const D: i64>(
     parts: impl Strategy<Value = T> + Clone,
 ) -> impl Strategy<Value = Quadratic<T, D>> + Clone {
     (parts.clone(), parts).prop_map(|(a, b)| Quadratic::new(a, b))
+}
+
+pub fn wides<const W: usize>() -> impl Strategy<Value = Wide<W>> + Clone {
+    integers().prop_map(|n| n.to_wide())
+}
+
+/// Fractions with common factors, and with negative denominators.
+pub fn unreduced() -> impl Strategy<Value = Fraction<BigInt>> + Clone {
+    let factors = prop_oneof![Just(1i64), Just(-1), Just(6), Just(-35)];
+    (integers(), integers(), factors)
+        .prop_filter("a denominator is not 0", |(_, q, _)| !q.is_zero())
+        .prop_map(|(p, q, factor)| Fraction::new(p * factor, q * factor))
 }
