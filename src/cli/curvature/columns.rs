@@ -1,0 +1,77 @@
+//! Curvatures as the data of a mesh file.
+
+use std::path::Path;
+
+use super::element::Row;
+use crate::cli::arguments::{At, Layout};
+use crate::cli::failure::Failure;
+use crate::cli::input::Input;
+use crate::cli::output;
+use crate::mesh::file::{self, Format, Options};
+use crate::net::{Net, Property};
+use crate::scalar::{Numeral, Rational, Ring};
+
+/// H, K and whether they are defined, of every element.
+#[derive(Default)]
+pub struct Columns {
+    mean: Vec<Rational>,
+    gauss: Vec<Rational>,
+    defined: Vec<Rational>,
+}
+
+impl Columns {
+    /// Adds one more element; where H and K are undefined, all three are 0.
+    pub fn add(&mut self, row: Row) {
+        let (mean, gauss, defined) = match (row.found, row.exact) {
+            (Ok(_), Some(exact)) => (exact.mean, exact.gauss, Rational::one()),
+            (Ok(short), None) => {
+                let [mean, gauss] = short.values.map(double);
+                (mean, gauss, Rational::one())
+            }
+            (Err(_), _) => (Rational::zero(), Rational::zero(), Rational::zero()),
+        };
+        self.mean.push(mean);
+        self.gauss.push(gauss);
+        self.defined.push(defined);
+    }
+
+    /// Writes the mesh with the columns; in VTU also with what it misses of its classes.
+    pub fn write(
+        self,
+        path: &Path,
+        input: &Input,
+        at: At,
+        layout: Layout,
+    ) -> Result<(), Failure> {
+        let mut mesh = input.exact();
+        let Columns { mean, gauss, defined } = self;
+        let named = [("H", mean), ("K", gauss), ("defined", defined)];
+        let named = named.map(|(name, values)| (name.to_owned(), values));
+        match at {
+            At::Faces => mesh.data.face.extend(named),
+            At::Vertices => mesh.data.vertex.extend(named),
+        }
+        if Format::from_path(path) == Some(Format::Vtu) {
+            let decider = input.decider();
+            let net = Net::new(input.topology(), &decider);
+            let defects = |property| net.defects(property).into_iter().map(double).collect();
+            for property in [Property::Planar, Property::ICircular] {
+                mesh.data.face.insert(format!("{} defect", property.name()), defects(property));
+            }
+            let conical = Property::IConical;
+            mesh.data.vertex.insert(format!("{} defect", conical.name()), defects(conical));
+        }
+        let options = Options { rounded: input.is_rounded(), ..Options::default() };
+        if layout.is_json() {
+            file::write(path, &mesh, &options)?;
+            Ok(())
+        } else {
+            output::write(path, &mesh, &options, layout)
+        }
+    }
+}
+
+/// A double as a number; what is beyond their range as 0.
+fn double(x: f64) -> Rational {
+    Numeral::from_f64(x).map_or_else(Rational::zero, |x| x.value())
+}

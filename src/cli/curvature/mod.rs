@@ -1,0 +1,194 @@
+//! `isogeo curvature`: H and K at faces (17) or at vertices (22), exactly.
+
+mod columns;
+mod element;
+mod report;
+mod summary;
+
+use std::path::Path;
+
+use rayon::prelude::*;
+use serde_json::json;
+
+use super::arguments::{At, CurvatureOptions, Layout};
+use super::failure::Failure;
+use super::input::{self, Input};
+use super::{Status, output, words};
+use crate::check::Verdict;
+use crate::construct::circumscribed_f_parallel;
+use crate::mesh::ExactPoints;
+use crate::mesh::file::{Coordinates, Format};
+use crate::net::{Net, Property};
+use crate::pair::{Couple, ExactPair, PairProperty};
+use columns::Columns;
+use element::{Elements, Row};
+use report::Report;
+
+/// Computes, prints the report, writes the mesh with its curvatures.
+pub fn run(options: &CurvatureOptions, layout: Layout) -> Result<Status, Failure> {
+    let holds_data =
+        |path: &Path| matches!(Format::from_path(path), Some(Format::IsoJson | Format::Vtu));
+    if options.output.as_deref().is_some_and(|path| !holds_data(path)) {
+        return Err(Failure::with_help(
+            "this format has no room for curvatures",
+            "write .vtu for ParaView and pyvista, or .iso.json, which is exact",
+        ));
+    }
+    let input = input::read(&options.input)?;
+    match (&options.gauss, options.at) {
+        (Some(path), at) => {
+            let image = input::read_image(path, &options.input, &input)?;
+            let pair = ExactPair::new(input.topology(), points(&input), points(&image));
+            let remark = misfit(&input, &image, at);
+            let elements = Elements { pair, at, determined: Vec::new() };
+            judge(options, layout, &input, &elements, &image.file.name, remark)
+        }
+        (None, At::Vertices) => match lift_is_image(&input) {
+            Ok(remark) => {
+                let pair = ExactPair::lifted(input.topology(), points(&input));
+                let elements = Elements { pair, at: At::Vertices, determined: Vec::new() };
+                judge(options, layout, &input, &elements, "the lift to the unit i-sphere", remark)
+            }
+            Err(reason) => refuse(&input, &reason, Property::ICircular, layout),
+        },
+        (None, At::Faces) => {
+            let mesh = input.exact();
+            let bar = output::progress(mesh.topology.face_count(), "making the Gauss image");
+            let found = circumscribed_f_parallel(&mesh);
+            bar.finish_and_clear();
+            match found {
+                Ok(found) => {
+                    let image = found.pair.image().points.as_slice().into();
+                    let pair = ExactPair::new(&mesh.topology, points(&input), image);
+                    let determined = found.determined;
+                    let elements = Elements { pair, at: At::Faces, determined };
+                    let image = "circumscribed to the unit i-sphere";
+                    judge(options, layout, &input, &elements, image, None)
+                }
+                Err(reason) => {
+                    let reason = reason.map(words::exact);
+                    let reason = format!("it has no circumscribed Gauss image: {reason}");
+                    refuse(&input, &reason, Property::IConical, layout)
+                }
+            }
+        }
+    }
+}
+
+fn points(input: &Input) -> ExactPoints<'_> {
+    match &input.file.coordinates {
+        Coordinates::Numerals(mesh) => mesh.points.as_slice().into(),
+        Coordinates::Rationals(mesh) => mesh.points.as_slice().into(),
+    }
+}
+
+/// Whether the lift is a v-parallel image, with what is to be said of it; or why it is none.
+fn lift_is_image(input: &Input) -> Result<Option<String>, String> {
+    let topology = input.topology();
+    if topology.corner_count() == 3 * topology.face_count() {
+        return Ok(None);
+    }
+    let decider = input.decider();
+    let report = Net::new(topology, &decider).check(Property::ICircular);
+    match report.verdict() {
+        Verdict::Refuted => {
+            let first = report.failures.first().map_or(String::new(), |e| format!(", see {e}"));
+            Err(format!("it is not i-circular{first}: its lift has no face planes"))
+        }
+        Verdict::Consistent => Ok(Some("the mesh is i-circular within its digits only".into())),
+        _ => Ok(None),
+    }
+}
+
+/// What the pair is not, though it should be for curvatures of this kind.
+fn misfit(input: &Input, image: &Input, at: At) -> Option<String> {
+    let property = match at {
+        At::Faces => PairProperty::FParallel,
+        At::Vertices => PairProperty::VParallel,
+    };
+    let decider = input.decider().followed_by(image.decider());
+    let couple = Couple::new(input.topology(), image.topology(), &decider).ok()?;
+    let report = couple.check(property);
+    let name = property.name();
+    match report.verdict() {
+        Verdict::Refuted => {
+            let first = report.failures.first().map_or(String::new(), |e| format!(", see {e}"));
+            Some(format!("the pair is not {name}{first}: H and K are those of the formula only"))
+        }
+        Verdict::Consistent => Some(format!("the pair is {name} within its digits only")),
+        _ => None,
+    }
+}
+
+/// Says why there is no canonical Gauss image: a result, not an error.
+fn refuse(
+    input: &Input,
+    reason: &str,
+    class: Property,
+    layout: Layout,
+) -> Result<Status, Failure> {
+    if layout.is_json() {
+        output::print_json(&json!({
+            "schema": "isogeo.no-curvature/1",
+            "file": input.file.name,
+            "reason": reason,
+        }))?;
+    } else {
+        output::print(&format!(
+            "{}: {reason}\n  curvatures belong to a mesh and a Gauss image: `isogeo gauss` makes \
+             some, --gauss takes any\n",
+            input.file.name
+        ))?;
+    }
+    let decider = input.decider();
+    match Net::new(input.topology(), &decider).check(class).verdict() {
+        Verdict::Refuted => Ok(Status::Refuted),
+        _ => Ok(Status::Open),
+    }
+}
+
+/// Goes through all elements, in parallel and in order.
+fn judge(
+    options: &CurvatureOptions,
+    layout: Layout,
+    input: &Input,
+    elements: &Elements<'_>,
+    image: &str,
+    remark: Option<String>,
+) -> Result<Status, Failure> {
+    const CHUNK: usize = 8192;
+    let file = options.output.as_deref();
+    let exact = file.and_then(Format::from_path) == Some(Format::IsoJson);
+    let row = |index: usize| {
+        let found = elements.find(index);
+        let json = layout.is_json().then(|| elements.json(index, &found, options.integrated));
+        Row::new(found, json, exact)
+    };
+    let mut report = Report::new(elements.at, remark);
+    let mut columns = file.map(|_| Columns::default());
+    if layout.is_json() {
+        output::print(&report.json_head(input, image, file))?;
+    }
+    let count = elements.count();
+    let bar = output::steps(count, "curvatures");
+    for start in (0..count).step_by(CHUNK) {
+        let end = count.min(start + CHUNK);
+        let rows: Vec<Row> = (start..end).into_par_iter().map(row).collect();
+        bar.inc((end - start) as u64);
+        for (index, row) in (start..).zip(rows) {
+            if let Some(json) = &row.json {
+                output::print(&format!("{}\n{json}", if index == 0 { "" } else { "," }))?;
+            }
+            report.add(index, &row.found);
+            if let Some(columns) = &mut columns {
+                columns.add(row);
+            }
+        }
+    }
+    bar.finish_and_clear();
+    output::print(&if layout.is_json() { "\n]}\n".into() } else { report.text(input, image) })?;
+    if let (Some(columns), Some(path)) = (columns, file) {
+        columns.write(path, input, elements.at, layout)?;
+    }
+    Ok(Status::Proved)
+}
