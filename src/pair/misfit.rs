@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::mesh::{FaceId, Mesh, NoPlane, VertexId};
+use crate::mesh::{FaceId, Mesh, NoPlane, Topology, VertexId};
 use crate::space::{Vector2, Vector3};
 
 /// One of the two meshes of a pair.
@@ -65,6 +65,11 @@ impl<T> Misfit<T> {
                 return Err(Misfit::Points(which));
             }
         }
+        Self::of_topologies(m, s)
+    }
+
+    /// Checks that both meshes consist of the same faces.
+    pub(super) fn of_topologies(m: &Topology, s: &Topology) -> Result<(), Self> {
         let vertices = (m.vertex_count(), s.vertex_count());
         let faces = (m.face_count(), s.face_count());
         if vertices.0 != vertices.1 || faces.0 != faces.1 {
