@@ -98,9 +98,9 @@ pub struct InputOptions {
 #[command(after_help = "\
 Properties: planar, i-circular, i-conical, inscribed, circumscribed, midscribed (to the unit
 i-sphere 2z = x² + y²), delaunay (top view), circular, conical (Euclidean).
-Properties of a pair M, S, with --with S: parallel (edges), f-parallel (face planes), v-parallel (top
-views), christoffel-dual (parallel, mixed areas 0), i-minimal (H = 0 at every face), cmc (H the same
-at every face), constant-k. S has the faces of M, with the vertices in the same order.
+Properties of a pair M, S, with --with S: parallel (edges), f-parallel (face planes), v-parallel
+(top views), christoffel-dual (parallel, mixed areas 0), i-minimal (H = 0 at every face), cmc (H is
+the same at every face), constant-k. S has the faces of M, with the vertices in the same order.
 Without --is all are judged and the exit code is 0.
 The defect of a residual is its size, divided by the sum of the sizes of its terms: free of units.
 Examples:
@@ -181,7 +181,7 @@ Kinds:
   lift           the same top view, lifted to the unit i-sphere; M i-circular, or of triangles
   delaunay       the same, where the top view of M is moreover a Delaunay triangulation
   inscribed      parallel edges, vertices on the sphere; M i-circular, faces with an even number of
-                 sides; one for every start of vertex --at [default: the mean of the gradients there]
+                 sides; one for every start of vertex --at [default: mean of the gradients there]
   circumscribed  parallel planes, touching the sphere; M i-conical. With --start: the same top view,
                  and face --at touches over the start
 That there is none is a result: exit code 1 if it is refuted, else 3.

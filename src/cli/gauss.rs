@@ -7,7 +7,7 @@ use super::failure::Failure;
 use super::input::{self, Input};
 use super::numbers::numbers;
 use super::{Status, output, words};
-use crate::check::{Decider, Verdict};
+use crate::check::{Decider, Report, Verdict, Witness};
 use crate::construct::{
     NoGaussImage, circumscribed_f_parallel, circumscribed_v_parallel, inscribed_f_parallel,
     inscribed_v_parallel, mean_gradient,
@@ -69,13 +69,13 @@ struct Found {
 
 enum Refusal {
     Usage(Failure),
-    None(NoImage),
+    None(Box<NoImage>),
 }
 
 /// Why there is no image.
 enum NoImage {
     Construction(NoGaussImage<Rational>),
-    NotDelaunay(String),
+    NotDelaunay(Report<Rational>),
 }
 
 impl<E: Into<NoGaussImage<Rational>>> From<E> for Refusal {
@@ -85,7 +85,7 @@ impl<E: Into<NoGaussImage<Rational>>> From<E> for Refusal {
                 format!("there is no vertex or face {i} to start from"),
                 "vertices and faces count from 0, in the order of the file",
             )),
-            reason => Refusal::None(NoImage::Construction(reason)),
+            reason => Refusal::None(Box::new(NoImage::Construction(reason))),
         }
     }
 }
@@ -136,17 +136,37 @@ fn of_most_faces(topology: &Topology) -> u32 {
 fn is_delaunay(mesh: &Mesh<Rational>) -> Result<(), Refusal> {
     let decider = Decider::of_rationals(&mesh.points);
     let report = Net::new(&mesh.topology, &decider).check(Property::Delaunay);
-    let reason = match (report.verdict(), report.worst, report.undefined.first()) {
+    match report.verdict() {
         // A single triangle leaves nothing to check.
-        (Verdict::Proved | Verdict::Vacuous, ..) => return Ok(()),
-        (_, Some(witness), _) => {
-            let residual = witness.failure.residual.as_ref().map_or(String::new(), words::exact);
-            format!("{}, {}: residual {residual}", witness.element, witness.failure.condition)
+        Verdict::Proved | Verdict::Vacuous => Ok(()),
+        _ => Err(Refusal::None(Box::new(NoImage::NotDelaunay(report)))),
+    }
+}
+
+impl NoImage {
+    fn is_undefined(&self) -> bool {
+        match self {
+            NoImage::Construction(reason) => reason.is_undefined(),
+            NoImage::NotDelaunay(report) => report.worst.is_none(),
         }
-        (_, None, Some((element, reason))) => format!("undefined at {element}: {reason}"),
-        (verdict, None, None) => verdict.to_string(),
-    };
-    Err(Refusal::None(NoImage::NotDelaunay(reason)))
+    }
+
+    /// The reason, with numbers as `show` gives them.
+    fn words(&self, show: impl Fn(&Rational) -> String) -> String {
+        let report = match self {
+            NoImage::Construction(reason) => return reason.map(show).to_string(),
+            NoImage::NotDelaunay(report) => report,
+        };
+        let why = match (&report.worst, report.undefined.first()) {
+            (Some(Witness { element, failure }), _) => {
+                let residual = failure.residual.as_ref().map(show).unwrap_or_default();
+                format!("{element}, {}: residual {residual}", failure.condition)
+            }
+            (None, Some((element, reason))) => format!("undefined at {element}: {reason}"),
+            (None, None) => report.verdict().to_string(),
+        };
+        format!("the top view is not Delaunay: {why}")
+    }
 }
 
 fn name(kind: GaussKind) -> &'static str {
@@ -187,13 +207,7 @@ fn refuse(
     input: &Input,
     layout: Layout,
 ) -> Result<Status, Failure> {
-    let (undefined, why) = match reason {
-        NoImage::Construction(reason) => {
-            (reason.is_undefined(), (reason.to_string(), reason.map(words::exact).to_string()))
-        }
-        NoImage::NotDelaunay(why) => (false, (why.clone(), format!("not Delaunay: {why}"))),
-    };
-    let (exact, short) = why;
+    let undefined = reason.is_undefined();
     let status = match undefined {
         false if is_refuted(reason, kind, input) => Status::Refuted,
         _ => Status::Open,
@@ -203,7 +217,7 @@ fn refuse(
             "schema": "isogeo.no-gauss-image/1",
             "file": input.file.name,
             "kind": name(kind),
-            "reason": exact,
+            "reason": reason.words(Rational::to_string),
         }))?;
     } else {
         let hint = match status {
@@ -212,23 +226,22 @@ fn refuse(
             }
             _ => "",
         };
-        let name = &input.file.name;
-        output::print(&format!("{name}: no Gauss image: {short}{hint}\n"))?;
+        let (name, reason) = (&input.file.name, reason.words(words::exact));
+        output::print(&format!("{name}: no Gauss image: {reason}{hint}\n"))?;
     }
     Ok(status)
 }
 
 /// Whether the class of mesh that has such images is refuted, whatever the unprinted digits were.
 fn is_refuted(reason: &NoImage, kind: GaussKind, input: &Input) -> bool {
+    if !input.is_rounded() {
+        return true;
+    }
     let property = match (reason, kind) {
         (NoImage::NotDelaunay(_), _) => Property::Delaunay,
         (_, GaussKind::Circumscribed) => Property::IConical,
         _ => Property::ICircular,
     };
-    let is_residual = matches!(reason, NoImage::Construction(_));
-    if !input.is_rounded() && is_residual {
-        return true;
-    }
     let decider = input.decider();
     Net::new(input.topology(), &decider).check(property).verdict() == Verdict::Refuted
 }

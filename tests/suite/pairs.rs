@@ -4,6 +4,7 @@
 mod areas;
 mod faces;
 mod images;
+mod properties;
 mod refusals;
 mod values;
 mod vertices;
