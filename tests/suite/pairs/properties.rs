@@ -221,7 +221,7 @@ fn couples_say_what_curvatures_do<Q: RationalField>(draw: &mut Draw<Q>) -> Verdi
 /// With edges a, b of a translational net, the edges a, −b close and have mixed area 0.
 fn translational_nets_have_christoffel_duals<Q: RationalField>(draw: &mut Draw<Q>) -> Verdict {
     let profile = |draw: &mut Draw<Q>| -> Vec<(Q, Q)> {
-        (0..=3).map(|i| (Q::from_i64(10 * i) + draw.number(), draw.number())).collect()
+        (0..=3).map(|i| (Q::from_i64(20 * i) + draw.number(), draw.number())).collect()
     };
     let (f, mut g) = (profile(draw), profile(draw));
     let m = translational_net(&f, &g).unwrap();
