@@ -1,14 +1,14 @@
 //! The decider of the program: exact and fast on the points of a mesh, and over rounding boxes.
 
-use num_bigint::BigInt;
-use num_integer::Integer as _;
+use rayon::prelude::*;
 
-use super::integers::{Cleared, Integer};
+use super::integers::Integer;
 use super::report::Failure;
 use super::residual::{Answer, Decide, Residual, RootSum};
 use super::roots::vanish;
+use super::store::{Local, Store};
 use crate::mesh::VertexId;
-use crate::scalar::{Ball, Base, Numeral, Ordered, Rational, RationalField, Ring, Sign, Variation};
+use crate::scalar::{Ball, Numeral, Rational, Ring, Sign, Variation};
 use crate::space::Point;
 
 /// Decides residuals exactly, whatever the size of the numbers, in integers as narrow as a bound
@@ -19,42 +19,54 @@ use crate::space::Point;
 #[derive(Clone, Debug)]
 pub struct Decider<'a> {
     store: Store<'a>,
-    boxes: Option<&'a [Point<Numeral>]>,
+    /// Half the widths of the boxes about the coordinates, where there are boxes.
+    boxes: Option<Vec<Point<f64>>>,
     tolerance: Option<f64>,
 }
-
-#[derive(Clone, Debug)]
-enum Store<'a> {
-    /// Integers over one common denominator `unit`; all have at most 126 bits.
-    Lattice {
-        points: Vec<Point<i128>>,
-        unit: i128,
-    },
-    Rationals(std::borrow::Cow<'a, [Point<Rational>]>),
-}
-
-/// Coordinates and the common denominator stay below this, so that differences do not overflow.
-const LATTICE_LIMIT: i128 = 1 << 125;
 
 impl<'a> Decider<'a> {
     /// Decides on numbers taken exactly as they are printed.
     pub fn new(points: &'a [Point<Numeral>]) -> Self {
-        let store = lattice_of_numerals(points).unwrap_or_else(|| {
-            Store::Rationals(points.iter().map(|p| p.map(Numeral::value)).collect())
-        });
-        Decider { store, boxes: None, tolerance: None }
+        Decider { store: Store::of_numerals(points), boxes: None, tolerance: None }
     }
 
     /// Decides on rational points.
     pub fn of_rationals(points: &'a [Point<Rational>]) -> Self {
-        let store = lattice_of_rationals(points).unwrap_or(Store::Rationals(points.into()));
-        Decider { store, boxes: None, tolerance: None }
+        Decider { store: Store::of_rationals(points), boxes: None, tolerance: None }
     }
 
     /// Decides on the boxes that printed numbers stand for: half a unit of the last digit about
     /// each.
     pub fn over_boxes(points: &'a [Point<Numeral>]) -> Self {
-        Decider { boxes: Some(points), ..Decider::new(points) }
+        let boxes = points.par_iter().map(|p| p.map(Numeral::half_unit_f64)).collect();
+        Decider { boxes: Some(boxes), ..Decider::new(points) }
+    }
+
+    /// Decides on these points followed by those of another decider, each in its own reading: for
+    /// pairs of meshes. The tolerance is that of the first.
+    ///
+    /// ```
+    /// use isogeo::check::{Answer, Decide, Decider};
+    /// use isogeo::mesh::VertexId;
+    /// use isogeo::net::planar::Difference;
+    /// use isogeo::scalar::{Field, Numeral, Rational};
+    /// use isogeo::space::Point;
+    /// let third = [Point::new(1, 0, 0).map(|&n| Rational::from_ratio(n, 3))];
+    /// let printed = [Point::new("0.33", "0", "0").map(|c| c.parse().unwrap_or(Numeral::from_i64(0)))];
+    /// let both = Decider::of_rationals(&third).followed_by(Decider::over_boxes(&printed));
+    /// assert_eq!(both.decide(Difference(0), [VertexId(0), VertexId(1)]), Answer::InBox);
+    /// ```
+    pub fn followed_by(self, other: Decider<'a>) -> Self {
+        let counts = [self.store.len(), other.store.len()];
+        let boxes = if self.boxes.is_none() && other.boxes.is_none() {
+            None
+        } else {
+            let sharp = |n| vec![Point::new(0.0, 0.0, 0.0); n];
+            let mut boxes = self.boxes.unwrap_or_else(|| sharp(counts[0]));
+            boxes.extend(other.boxes.unwrap_or_else(|| sharp(counts[1])));
+            Some(boxes)
+        };
+        Decider { store: self.store.followed_by(other.store), boxes, tolerance: self.tolerance }
     }
 
     /// Counts what is within `tolerance` of zero, in proportion to its scale, as near.
@@ -62,12 +74,6 @@ impl<'a> Decider<'a> {
         self.tolerance = tolerance;
         self
     }
-}
-
-/// The points of one element, cleared.
-enum Local<const K: usize> {
-    Small(Cleared<i128, K>),
-    Big(Cleared<BigInt, K>),
 }
 
 /// Runs the same expression on either kind of integers.
@@ -81,72 +87,34 @@ macro_rules! either {
 }
 
 impl Decider<'_> {
-    #[inline]
-    fn local<const K: usize>(&self, at: [VertexId; K], translates: bool) -> Local<K> {
-        let local = match &self.store {
-            Store::Lattice { points, unit } => {
-                Local::Small(Cleared { points: at.map(|v| points[v.index()]), unit: *unit })
-            }
-            Store::Rationals(points) => clear(at.map(|v| &points[v.index()])),
-        };
-        if !translates {
-            return local;
-        }
-        match local {
-            Local::Small(cleared) => Local::Small(cleared.translated()),
-            Local::Big(cleared) => Local::Big(cleared.translated()),
-        }
-    }
-
-    /// The points of the element as rational numbers.
-    fn exact<const K: usize>(&self, at: [VertexId; K]) -> [Point<Rational>; K] {
-        at.map(|v| match &self.store {
-            Store::Lattice { points, unit } => points[v.index()].map(|&c| {
-                Rational::from_fraction(c.into(), (*unit).into()).unwrap_or_else(Rational::zero)
-            }),
-            Store::Rationals(points) => points[v.index()].clone(),
-        })
-    }
-
-    /// The boxes about the points of the element, in the integers of `local`.
-    fn variations<const K: usize>(
-        &self,
-        boxes: &[Point<Numeral>],
-        at: [VertexId; K],
-        local: &Local<K>,
-        translates: bool,
-    ) -> ([Point<Variation>; K], Variation) {
-        let exact = |centre| Variation { centre, spread: 0.0 };
-        let (centres, unit) = either!(local, c => c.over(|i| exact(i.ball())));
-        let half = at.map(|v| boxes[v.index()].map(Numeral::half_unit_f64));
-        let length = unit.centre.bound() * (1.0 + 4.0 * f64::EPSILON);
-        let points = std::array::from_fn(|i| {
-            // The origin is exact, and every difference from it takes up both boxes.
-            let spread = |own: f64, origin: f64| match (translates, i) {
-                (true, 0) => 0.0,
-                (true, _) => (own + origin) * length * (1.0 + 4.0 * f64::EPSILON),
-                (false, _) => own * length * (1.0 + 4.0 * f64::EPSILON),
-            };
-            let (p, h, o) = (&centres[i], &half[i], &half[0]);
-            let widened =
-                |v: &Variation, own, origin| Variation { spread: spread(own, origin), ..*v };
-            Point::new(widened(&p.x, h.x, o.x), widened(&p.y, h.y, o.y), widened(&p.z, h.z, o.z))
-        });
-        (points, unit)
+    /// The boxes, if some point of the element is not known exactly.
+    fn boxes_at<const K: usize>(&self, places: &[[VertexId; K]]) -> Option<&[Point<f64>]> {
+        let boxes = self.boxes.as_deref()?;
+        let wide = |v: &VertexId| boxes[v.index()].coordinates().into_iter().any(|&h| h > 0.0);
+        places.iter().flatten().any(wide).then_some(boxes)
     }
 
     /// Whether 0 lies outside of what the residual can be within the boxes.
     fn excluded<const K: usize, R: Residual<K>>(
         &self,
-        boxes: &[Point<Numeral>],
+        boxes: &[Point<f64>],
         residual: R,
-        at: [VertexId; K],
+        places: &[[VertexId; K]],
         local: &Local<K>,
     ) -> bool {
-        let (points, unit) = self.variations(boxes, at, local, R::TRANSLATES);
-        let spread = residual.eval(&points, &unit).spread;
+        let block = R::TRANSLATES.then_some(R::BLOCK);
+        let spread = |points: &[Point<Ball<f64>>; K], unit, at| {
+            let (points, unit) = variations(boxes, at, points, unit, block);
+            residual.eval(&points, &unit)
+        };
+        let sum = either!(local, c => {
+            let unit = c.unit.ball();
+            let balls = c.places().map(|place| place.each_ref().map(|p| p.map(Integer::ball)));
+            let terms = balls.zip(places).map(|(points, at)| spread(&points, unit, at));
+            terms.fold(Variation::zero(), |sum, term| sum + term)
+        });
         let value = either!(local, c => c.value(residual));
-        value.abs() * (1.0 - 8.0 * f64::EPSILON) > spread
+        value.abs() * (1.0 - 8.0 * f64::EPSILON) > sum.spread
     }
 
     fn near(&self, failure: impl FnOnce() -> Failure<Rational>) -> Answer {
@@ -160,25 +128,27 @@ impl Decider<'_> {
 impl Decide for Decider<'_> {
     type Value = Rational;
 
-    fn decide<const K: usize>(&self, residual: impl Residual<K>, at: [VertexId; K]) -> Answer {
-        match self.sign(residual, at) {
+    #[inline]
+    fn decide_sum<const K: usize>(
+        &self,
+        residual: impl Residual<K>,
+        places: &[[VertexId; K]],
+    ) -> Answer {
+        match self.sign_of_sum(residual, places) {
             (Sign::Zero, _) => Answer::Zero,
             (_, false) => Answer::InBox,
             (_, true) if self.tolerance.is_none() => Answer::Nonzero,
-            (_, true) => self.near(|| self.failure("", residual, at, false)),
+            (_, true) => self.near(|| self.failure_of_sum("", residual, places, false)),
         }
     }
 
-    fn sign<const K: usize>(&self, residual: impl Residual<K>, at: [VertexId; K]) -> (Sign, bool) {
-        self.sign_of(residual, at)
-    }
-
+    #[inline]
     fn sign_of_sum<const K: usize>(
         &self,
         residual: impl Residual<K>,
         places: &[[VertexId; K]],
     ) -> (Sign, bool) {
-        self.sign_of_sum_of(residual, places)
+        self.sign_of(residual, places)
     }
 
     fn decide_roots<const K: usize, const TERMS: usize>(
@@ -186,16 +156,16 @@ impl Decide for Decider<'_> {
         sum: impl RootSum<K, TERMS>,
         at: [VertexId; K],
     ) -> Answer {
-        let local = self.local(at, true);
-        let (balls, _) = either!(&local, c => c.over(Integer::ball));
+        let local = self.store.local(&at, &[], Some(K));
+        let (balls, unit) = either!(&local, c => c.over(Integer::ball));
         if !enclose(&sum.eval(&balls)).excludes_zero() {
             let (integers, _) = either!(&local, c => c.over(Integer::big));
             if vanish(&sum.eval(&integers)) == Some(true) {
                 return Answer::Zero;
             }
         }
-        if let Some(boxes) = self.boxes {
-            let (points, _) = self.variations(boxes, at, &local, true);
+        if let Some(boxes) = self.boxes_at(&[at]) {
+            let (points, _) = variations(boxes, &at, &balls, unit, Some(K));
             let widened = points.map(|p| p.map(Variation::enclosure));
             if !enclose(&sum.eval(&widened)).excludes_zero() {
                 return Answer::InBox;
@@ -205,30 +175,21 @@ impl Decide for Decider<'_> {
     }
 
     fn same_top_view(&self, a: VertexId, b: VertexId) -> bool {
-        match &self.store {
-            Store::Lattice { points, .. } => {
-                let (p, q) = (&points[a.index()], &points[b.index()]);
-                p.x == q.x && p.y == q.y
-            }
-            Store::Rationals(points) => points[a.index()].is_parallel_to(&points[b.index()]),
-        }
+        self.store.same_top_view(a, b)
     }
 
     fn same_point(&self, a: VertexId, b: VertexId) -> bool {
-        match &self.store {
-            Store::Lattice { points, .. } => points[a.index()] == points[b.index()],
-            Store::Rationals(points) => points[a.index()] == points[b.index()],
-        }
+        self.store.same_point(a, b)
     }
 
-    fn failure<const K: usize>(
+    fn failure_of_sum<const K: usize>(
         &self,
         condition: &'static str,
         residual: impl Residual<K>,
-        at: [VertexId; K],
+        places: &[[VertexId; K]],
         exact: bool,
     ) -> Failure<Rational> {
-        self.failure_of(condition, residual, at, exact)
+        self.failure_of(condition, residual, places, exact)
     }
 
     fn root_failure<const K: usize, const TERMS: usize>(
@@ -237,7 +198,7 @@ impl Decide for Decider<'_> {
         sum: impl RootSum<K, TERMS>,
         at: [VertexId; K],
     ) -> Failure<Rational> {
-        let local = self.local(at, true);
+        let local = self.store.local(&at, &[], Some(K));
         let defect = either!(&local, c => c.root_defect(sum));
         Failure { condition, defect, residual: None }
     }
@@ -248,41 +209,15 @@ impl Decider<'_> {
     fn sign_of<const K: usize, R: Residual<K>>(
         &self,
         residual: R,
-        at: [VertexId; K],
-    ) -> (Sign, bool) {
-        let local = self.local(at, R::TRANSLATES);
-        let sign = either!(&local, c => c.sign(residual));
-        let certain = self.boxes.is_none_or(|boxes| self.excluded(boxes, residual, at, &local));
-        (sign, certain)
-    }
-
-    fn sign_of_sum_of<const K: usize, R: Residual<K>>(
-        &self,
-        residual: R,
         places: &[[VertexId; K]],
     ) -> (Sign, bool) {
-        let signs: Vec<_> = places.iter().map(|&at| self.sign_of(residual, at)).collect();
-        let has = |sign| signs.iter().any(|&(s, _)| s == sign);
-        let sign = match (has(Sign::Positive), has(Sign::Negative)) {
-            (false, false) => Sign::Zero,
-            (true, false) => Sign::Positive,
-            (false, true) => Sign::Negative,
-            (true, true) => {
-                let value = |&at| residual.eval(&self.exact(at), &Rational::one());
-                let sum = places.iter().map(value).fold(Rational::zero(), |sum, v| sum + v);
-                sum.certain_sign().unwrap_or(Sign::Zero)
-            }
+        let Some((first, more)) = places.split_first() else {
+            return (Sign::Zero, true);
         };
-        let certain = self.boxes.is_none_or(|boxes| {
-            // Terms that keep one sign in the box have a sum that does; else they are added up.
-            signs.iter().all(|&s| s == (sign, true)) || {
-                let term = |at: &[VertexId; K]| {
-                    let points = at.map(|v| boxes[v.index()].map(Variation::of));
-                    residual.eval(&points, &Variation::one()).enclosure()
-                };
-                places.iter().map(term).fold(Ball::zero(), |sum, t| sum + t).excludes_zero()
-            }
-        });
+        let local = self.store.local(first, more, R::TRANSLATES.then_some(R::BLOCK));
+        let sign = either!(&local, c => c.sign(residual));
+        let boxes = self.boxes_at(places);
+        let certain = boxes.is_none_or(|boxes| self.excluded(boxes, residual, places, &local));
         (sign, certain)
     }
 
@@ -290,14 +225,43 @@ impl Decider<'_> {
         &self,
         condition: &'static str,
         residual: R,
-        at: [VertexId; K],
+        places: &[[VertexId; K]],
         exact: bool,
     ) -> Failure<Rational> {
-        let local = self.local(at, R::TRANSLATES);
-        let defect = either!(&local, c => c.defect(residual));
-        let residual = exact.then(|| residual.eval(&self.exact(at), &Rational::one()));
-        Failure { condition, defect, residual }
+        let value = |at| residual.eval(&self.store.exact(at), &Rational::one());
+        let sum = || places.iter().map(value).fold(Rational::zero(), |sum, value| sum + value);
+        let defect = places.split_first().map_or(0.0, |(first, more)| {
+            let local = self.store.local(first, more, R::TRANSLATES.then_some(R::BLOCK));
+            either!(&local, c => c.defect(residual))
+        });
+        Failure { condition, defect, residual: exact.then(sum) }
     }
+}
+
+/// The boxes about the points of an element at one place, over the common denominator `unit`.
+fn variations<const K: usize>(
+    boxes: &[Point<f64>],
+    at: &[VertexId; K],
+    centres: &[Point<Ball<f64>>; K],
+    unit: Ball<f64>,
+    block: Option<usize>,
+) -> ([Point<Variation>; K], Variation) {
+    let half = at.map(|v| &boxes[v.index()]);
+    let length = unit.bound() * (1.0 + 4.0 * f64::EPSILON);
+    let points = std::array::from_fn(|i| {
+        let first = block.map(|block| i - i % block);
+        // The first of a block is exact, and every difference from it takes up both boxes.
+        let spread = |own: f64, origin: f64| match first {
+            Some(first) if first == i => 0.0,
+            Some(_) => (own + origin) * length * (1.0 + 4.0 * f64::EPSILON),
+            None => own * length * (1.0 + 4.0 * f64::EPSILON),
+        };
+        let (p, h, o) = (&centres[i], half[i], half[first.unwrap_or(0)]);
+        let widened =
+            |&centre: &Ball<f64>, own, origin| Variation { centre, spread: spread(own, origin) };
+        Point::new(widened(&p.x, h.x, o.x), widened(&p.y, h.y, o.y), widened(&p.z, h.z, o.z))
+    });
+    (points, Variation { centre: unit, spread: 0.0 })
 }
 
 /// The enclosure of `Σ cᵢ √qᵢ`; everything, if a `qᵢ` is certainly negative.
@@ -305,95 +269,4 @@ fn enclose(terms: &[(Ball<f64>, Ball<f64>)]) -> Ball<f64> {
     let anything = Ball { mid: 0.0, radius: f64::INFINITY };
     let term = |(c, q): &(Ball<f64>, Ball<f64>)| q.sqrt().map_or(anything, |root| *c * root);
     terms.iter().map(term).fold(Ball::zero(), |sum, t| sum + t)
-}
-
-/// Clears the denominators of the points of one element.
-fn clear<const K: usize>(points: [&Point<Rational>; K]) -> Local<K> {
-    if let Some(cleared) = clear_small(points) {
-        return Local::Small(cleared);
-    }
-    let denominators = points.iter().flat_map(|p| p.coordinates()).map(Rational::denominator);
-    let unit = denominators.fold(BigInt::one(), |all, d| all.lcm(&d));
-    let integer = |c: &Rational| c.numerator() * (&unit / c.denominator());
-    Local::Big(Cleared { points: points.map(|p| p.map(integer)), unit })
-}
-
-fn clear_small<const K: usize>(points: [&Point<Rational>; K]) -> Option<Cleared<i128, K>> {
-    let mut unit = 1i128;
-    for c in points.iter().flat_map(|p| p.coordinates()) {
-        unit = common(unit, c.small_fraction()?.1)?;
-    }
-    let mut cleared = [Point::new(0, 0, 0); K];
-    for (to, from) in cleared.iter_mut().zip(points) {
-        *to = over(from, unit)?;
-    }
-    Some(Cleared { points: cleared, unit })
-}
-
-/// The least common multiple, if it stays below the limit.
-fn common(unit: i128, denominator: i64) -> Option<i128> {
-    let d = i128::from(denominator);
-    if unit % d == 0 {
-        return Some(unit);
-    }
-    unit.checked_mul(d / unit.gcd(&d)).filter(|&u| u < LATTICE_LIMIT)
-}
-
-/// The coordinates times `unit`, a multiple of their denominators, if they stay below the limit.
-fn over(point: &Point<Rational>, unit: i128) -> Option<Point<i128>> {
-    let integer = |c: &Rational| {
-        let (p, q) = c.small_fraction()?;
-        let n = i128::from(p).checked_mul(unit / i128::from(q))?;
-        (n.abs() < LATTICE_LIMIT).then_some(n)
-    };
-    Some(Point::new(integer(&point.x)?, integer(&point.y)?, integer(&point.z)?))
-}
-
-fn lattice_of_rationals<'a>(points: &[Point<Rational>]) -> Option<Store<'a>> {
-    let mut unit = 1i128;
-    for c in points.iter().flat_map(|p| p.coordinates()) {
-        unit = common(unit, c.small_fraction()?.1)?;
-    }
-    let points = points.iter().map(|p| over(p, unit)).collect::<Option<_>>()?;
-    Some(Store::Lattice { points, unit })
-}
-
-fn lattice_of_numerals<'a>(points: &[Point<Numeral>]) -> Option<Store<'a>> {
-    let mut lowest = 0;
-    let mut base = None;
-    for c in points.iter().flat_map(|p| p.coordinates()) {
-        let (mantissa, b, exponent) = c.small_parts()?;
-        if *base.get_or_insert(b) != b {
-            return None;
-        }
-        lowest = lowest.min(match b {
-            _ if mantissa == 0 => 0,
-            Base::Two => exponent + mantissa.trailing_zeros() as i32,
-            Base::Ten => exponent,
-        });
-    }
-    let base: i128 = match base? {
-        Base::Two => 2,
-        Base::Ten => 10,
-    };
-    let power = |e: i32| base.checked_pow(e as u32).filter(|&p| p < LATTICE_LIMIT);
-    let powers: Vec<i128> = (0..126).map_while(power).collect();
-    let unit = *powers.get(lowest.unsigned_abs() as usize)?;
-    let integer = |c: &Numeral| {
-        let (mantissa, _, exponent) = c.small_parts()?;
-        let (mantissa, shift) = (i128::from(mantissa), exponent - lowest);
-        if mantissa == 0 {
-            return Some(0);
-        }
-        if shift < 0 {
-            // Only zeros are cut off: `lowest` did not count the trailing ones.
-            return Some(mantissa >> -shift);
-        }
-        let n = mantissa.checked_mul(*powers.get(shift as usize)?)?;
-        (n.abs() < LATTICE_LIMIT).then_some(n)
-    };
-    let point =
-        |p: &Point<Numeral>| Some(Point::new(integer(&p.x)?, integer(&p.y)?, integer(&p.z)?));
-    let points = points.iter().map(point).collect::<Option<_>>()?;
-    Some(Store::Lattice { points, unit })
 }

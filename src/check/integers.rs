@@ -67,18 +67,29 @@ impl Integer for BigInt {
 /// The points of one element as integers, with the integer that stands for the length 1.
 pub(super) struct Cleared<I, const K: usize> {
     pub points: [Point<I>; K],
+    /// Further places; the value of a residual is the sum over all.
+    pub more: Vec<[Point<I>; K]>,
     pub unit: I,
 }
 
 impl<I: Integer, const K: usize> Cleared<I, K> {
-    /// Moves the first point to the origin.
+    /// Moves the first point of each block to the origin.
     #[inline]
-    pub fn translated(mut self) -> Self {
-        let origin = self.points[0].clone();
-        for p in &mut self.points {
-            *p = Point::new(p.x.minus(&origin.x), p.y.minus(&origin.y), p.z.minus(&origin.z));
+    pub fn translated(mut self, block: usize) -> Self {
+        for points in std::iter::once(&mut self.points).chain(&mut self.more) {
+            for start in (0..K).step_by(block.max(1)) {
+                let o = points[start].clone();
+                for p in points.iter_mut().skip(start).take(block) {
+                    *p = Point::new(p.x.minus(&o.x), p.y.minus(&o.y), p.z.minus(&o.z));
+                }
+            }
         }
         self
+    }
+
+    /// All places.
+    pub fn places(&self) -> impl Iterator<Item = &[Point<I>; K]> {
+        std::iter::once(&self.points).chain(&self.more)
     }
 
     #[inline]
@@ -88,8 +99,10 @@ impl<I: Integer, const K: usize> Cleared<I, K> {
 
     #[inline]
     fn eval<R: Ring>(&self, residual: impl Residual<K>, f: impl Fn(&I) -> R) -> R {
-        let (points, unit) = self.over(f);
-        residual.eval(&points, &unit)
+        let (points, unit) = self.over(&f);
+        self.more.iter().fold(residual.eval(&points, &unit), |sum, place| {
+            sum + residual.eval(&std::array::from_fn(|i| place[i].map(&f)), &unit)
+        })
     }
 
     /// The exact sign of the residual.

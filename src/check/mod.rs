@@ -11,6 +11,7 @@ mod plain;
 mod report;
 mod residual;
 mod roots;
+mod store;
 mod verdict;
 
 pub use decider::Decider;

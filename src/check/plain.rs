@@ -41,15 +41,16 @@ fn defect(value: f64, scale: f64) -> f64 {
     if value == 0.0 { 0.0 } else { value.abs() / scale }
 }
 
-/// The sizes of coordinates, after the first point is moved to the origin if that is allowed.
+/// The sizes of coordinates, after the first point of each block is moved to the origin if that is
+/// allowed.
 fn sizes<T: Ordered, const K: usize>(
     points: &[Point<T>; K],
-    translates: bool,
+    block: Option<usize>,
 ) -> [Point<Magnitude<T>>; K] {
-    let origin =
-        if translates { points[0].clone() } else { Point::new(T::zero(), T::zero(), T::zero()) };
+    let zero = Point::new(T::zero(), T::zero(), T::zero());
     std::array::from_fn(|i| {
-        let v = &points[i] - &origin;
+        let origin = block.map_or(&zero, |block| &points[i - i % block]);
+        let v = &points[i] - origin;
         Point::new(Magnitude::of(&v.x), Magnitude::of(&v.y), Magnitude::of(&v.z))
     })
 }
@@ -57,11 +58,14 @@ fn sizes<T: Ordered, const K: usize>(
 fn failure<T: Ordered, R: Residual<K>, const K: usize>(
     condition: &'static str,
     residual: R,
-    points: &[Point<T>; K],
+    points: &[Point<T>],
+    places: &[[VertexId; K]],
     ratio: impl Fn(&T, &T) -> f64,
 ) -> Failure<T> {
-    let value = residual.eval(points, &T::one());
-    let scale = residual.eval(&sizes(points, R::TRANSLATES), &Magnitude(T::one())).0;
+    let value = sum(points, residual, places);
+    let block = R::TRANSLATES.then_some(R::BLOCK);
+    let size = |&v| residual.eval(&sizes(&at(points, v), block), &Magnitude(T::one()));
+    let scale = places.iter().map(size).fold(Magnitude(T::zero()), |sum, size| sum + size).0;
     Failure { condition, defect: ratio(&value, &scale), residual: Some(value) }
 }
 
@@ -71,7 +75,7 @@ fn root_failure<T, const K: usize, const TERMS: usize>(
     points: &[Point<f64>; K],
 ) -> Failure<T> {
     let value = sum.eval(points).iter().map(|(c, q)| c * q.sqrt()).sum();
-    let scale = sum.eval(&sizes(points, true)).iter().map(|(c, q)| c.0 * q.0.sqrt()).sum();
+    let scale = sum.eval(&sizes(points, Some(K))).iter().map(|(c, q)| c.0 * q.0.sqrt()).sum();
     Failure { condition, defect: defect(value, scale), residual: None }
 }
 
@@ -90,14 +94,12 @@ fn normalised<Q: RationalField, const K: usize>(points: &[Point<Q>; K]) -> [Poin
 impl<Q: RationalField> Decide for Plain<'_, Q> {
     type Value = Q;
 
-    fn decide<const K: usize>(&self, residual: impl Residual<K>, v: [VertexId; K]) -> Answer {
-        let value = residual.eval(&at(self.0, v), &Q::one());
-        if value.is_zero() { Answer::Zero } else { Answer::Nonzero }
-    }
-
-    fn sign<const K: usize>(&self, residual: impl Residual<K>, v: [VertexId; K]) -> (Sign, bool) {
-        let value = residual.eval(&at(self.0, v), &Q::one());
-        (value.certain_sign().unwrap_or(Sign::Zero), true)
+    fn decide_sum<const K: usize>(
+        &self,
+        residual: impl Residual<K>,
+        places: &[[VertexId; K]],
+    ) -> Answer {
+        if sum(self.0, residual, places).is_zero() { Answer::Zero } else { Answer::Nonzero }
     }
 
     fn sign_of_sum<const K: usize>(
@@ -128,14 +130,14 @@ impl<Q: RationalField> Decide for Plain<'_, Q> {
         self.0[a.index()] == self.0[b.index()]
     }
 
-    fn failure<const K: usize>(
+    fn failure_of_sum<const K: usize>(
         &self,
         condition: &'static str,
         residual: impl Residual<K>,
-        v: [VertexId; K],
+        places: &[[VertexId; K]],
         _: bool,
     ) -> Failure<Q> {
-        failure(condition, residual, &at(self.0, v), |value, scale| {
+        failure(condition, residual, self.0, places, |value, scale| {
             value.try_div(scale).map_or(0.0, |d| d.to_f64().abs())
         })
     }
@@ -159,13 +161,12 @@ impl Observed<'_> {
 impl Decide for Observed<'_> {
     type Value = f64;
 
-    fn decide<const K: usize>(&self, residual: impl Residual<K>, v: [VertexId; K]) -> Answer {
-        self.near(self.failure("", residual, v, false))
-    }
-
-    fn sign<const K: usize>(&self, residual: impl Residual<K>, v: [VertexId; K]) -> (Sign, bool) {
-        let value = residual.eval(&at(self.points, v), &1.0);
-        (value.certain_sign().unwrap_or(Sign::Zero), false)
+    fn decide_sum<const K: usize>(
+        &self,
+        residual: impl Residual<K>,
+        places: &[[VertexId; K]],
+    ) -> Answer {
+        self.near(self.failure_of_sum("", residual, places, false))
     }
 
     fn sign_of_sum<const K: usize>(
@@ -193,14 +194,14 @@ impl Decide for Observed<'_> {
         self.points[a.index()] == self.points[b.index()]
     }
 
-    fn failure<const K: usize>(
+    fn failure_of_sum<const K: usize>(
         &self,
         condition: &'static str,
         residual: impl Residual<K>,
-        v: [VertexId; K],
+        places: &[[VertexId; K]],
         _: bool,
     ) -> Failure<f64> {
-        failure(condition, residual, &at(self.points, v), |value, scale| defect(*value, *scale))
+        failure(condition, residual, self.points, places, |value, scale| defect(*value, *scale))
     }
 
     fn root_failure<const K: usize, const TERMS: usize>(

@@ -46,6 +46,10 @@ pub enum Reason {
     FoldedEdge,
     /// The top view is no disc with a convex boundary, so that edges alone do not decide.
     NotConvex,
+    /// The face of the Gauss image has no plane that is the graph of a function.
+    VerticalImage(FaceId),
+    /// The signed area of the top view of the face is zero, so that it has no curvature.
+    ZeroArea(FaceId),
 }
 
 impl fmt::Display for Reason {
@@ -69,6 +73,12 @@ impl fmt::Display for Reason {
                 write!(f, "the top view of face {} is not strictly convex", face.0)
             }
             Reason::FoldedEdge => write!(f, "the top view is folded along the edge"),
+            Reason::VerticalImage(face) => {
+                write!(f, "face {} of the Gauss image is vertical or collinear", face.0)
+            }
+            Reason::ZeroArea(face) => {
+                write!(f, "the area of face {} in the top view is 0", face.0)
+            }
             Reason::NotConvex => write!(
                 f,
                 "the top view is no disc with a convex boundary here, so that edges alone do not decide"
@@ -86,6 +96,13 @@ pub struct Failure<V> {
     pub defect: f64,
     /// The exact residual, where it was asked for and lies in the field.
     pub residual: Option<V>,
+}
+
+impl<V> Failure<V> {
+    /// The one with the larger defect; of equals the first.
+    pub fn worse(self, other: Self) -> Self {
+        if other.defect > self.defect { other } else { self }
+    }
 }
 
 /// What a check found on one element.
@@ -220,24 +237,31 @@ impl<V> Report<V> {
     }
 
     /// Checks elements in parallel; the report does not depend on the number of threads.
-    pub fn collect<E: Copy + Sync>(
+    ///
+    /// Only for the worst element the outcome is asked for with exact residuals.
+    pub fn collect(
         property: &'static str,
-        elements: &[E],
-        find: impl Fn(E) -> (Element, Outcome<V>) + Sync,
+        elements: &[Element],
+        outcome: impl Fn(Element, bool) -> Outcome<V> + Sync,
     ) -> Self
     where
         V: Send,
     {
         const CHUNK: usize = 4096;
-        let part = |chunk: &[E]| {
+        let part = |chunk: &[Element]| {
             let mut report = Report::new(property);
-            for &e in chunk {
-                let (element, outcome) = find(e);
-                report.add(element, outcome);
+            for &element in chunk {
+                report.add(element, outcome(element, false));
             }
             report
         };
         let parts: Vec<_> = elements.par_chunks(CHUNK).map(part).collect();
-        parts.into_iter().fold(Report::new(property), Report::join)
+        let mut report = parts.into_iter().fold(Report::new(property), Report::join);
+        if let Some(Witness { element, failure }) = &mut report.worst
+            && let Outcome::Fails(exact) = outcome(*element, true)
+        {
+            *failure = exact;
+        }
+        report
     }
 }

@@ -13,8 +13,12 @@ use crate::space::Point;
 /// of the unit i-sphere writes `2 z · unit − x² − y²`. So it may be evaluated on integers after
 /// denominators have been cleared, with the common denominator for `unit`.
 pub trait Residual<const K: usize>: Copy + Send + Sync {
-    /// Whether the value is the same after a common translation of all points.
+    /// Whether the value is the same after a translation of each block of points.
     const TRANSLATES: bool;
+
+    /// How many consecutive points form a block: all of them, or those of one mesh of a pair, which
+    /// may lie far from the other.
+    const BLOCK: usize = K;
 
     /// The value.
     fn eval<R: Ring>(self, points: &[Point<R>; K], unit: &R) -> R;
@@ -41,23 +45,37 @@ pub enum Answer {
 }
 
 /// Decides polynomial conditions on the points of a mesh, named by their vertices.
+///
+/// A condition is a residual at one place, or the sum of its values at several, as an area is the
+/// sum of triangles.
 pub trait Decide: Sync {
     /// The type of exact residuals in reports.
     type Value: Clone + Debug + Display + PartialEq + Send + Sync;
 
-    /// Whether the residual vanishes.
-    fn decide<const K: usize>(&self, residual: impl Residual<K>, at: [VertexId; K]) -> Answer;
+    /// Whether the sum of a residual over several places vanishes.
+    fn decide_sum<const K: usize>(
+        &self,
+        residual: impl Residual<K>,
+        places: &[[VertexId; K]],
+    ) -> Answer;
 
-    /// The sign of the residual as printed, and whether it is the same in the whole box.
-    fn sign<const K: usize>(&self, residual: impl Residual<K>, at: [VertexId; K]) -> (Sign, bool);
-
-    /// The sign of the sum of a residual over several places, and whether it is the same in the
-    /// whole box.
+    /// The sign of the sum of a residual over several places as printed, and whether it is the
+    /// same in the whole box.
     fn sign_of_sum<const K: usize>(
         &self,
         residual: impl Residual<K>,
         places: &[[VertexId; K]],
     ) -> (Sign, bool);
+
+    /// A sum that does not vanish: its size compared with its terms, and itself at least where
+    /// `exact` asks for it.
+    fn failure_of_sum<const K: usize>(
+        &self,
+        condition: &'static str,
+        residual: impl Residual<K>,
+        places: &[[VertexId; K]],
+        exact: bool,
+    ) -> Failure<Self::Value>;
 
     /// Whether the sum of roots vanishes.
     fn decide_roots<const K: usize, const TERMS: usize>(
@@ -72,16 +90,6 @@ pub trait Decide: Sync {
     /// Whether two vertices are the same point as printed.
     fn same_point(&self, a: VertexId, b: VertexId) -> bool;
 
-    /// A residual that does not vanish: its size compared with its terms, and itself at least
-    /// where `exact` asks for it.
-    fn failure<const K: usize>(
-        &self,
-        condition: &'static str,
-        residual: impl Residual<K>,
-        at: [VertexId; K],
-        exact: bool,
-    ) -> Failure<Self::Value>;
-
     /// A sum of roots that does not vanish; as it is no number of the field, it has no exact value.
     fn root_failure<const K: usize, const TERMS: usize>(
         &self,
@@ -89,4 +97,41 @@ pub trait Decide: Sync {
         sum: impl RootSum<K, TERMS>,
         at: [VertexId; K],
     ) -> Failure<Self::Value>;
+
+    /// Whether the residual vanishes at one place.
+    #[inline]
+    fn decide<const K: usize>(&self, residual: impl Residual<K>, at: [VertexId; K]) -> Answer {
+        self.decide_sum(residual, &[at])
+    }
+
+    /// The sign of the residual at one place as printed, and whether it is the same in the whole
+    /// box.
+    #[inline]
+    fn sign<const K: usize>(&self, residual: impl Residual<K>, at: [VertexId; K]) -> (Sign, bool) {
+        self.sign_of_sum(residual, &[at])
+    }
+
+    /// A residual that does not vanish at one place.
+    fn failure<const K: usize>(
+        &self,
+        condition: &'static str,
+        residual: impl Residual<K>,
+        at: [VertexId; K],
+        exact: bool,
+    ) -> Failure<Self::Value> {
+        self.failure_of_sum(condition, residual, &[at], exact)
+    }
+
+    /// The failure with the largest defect among several places, each by itself.
+    fn worst<const K: usize>(
+        &self,
+        condition: &'static str,
+        residual: impl Residual<K>,
+        places: impl Iterator<Item = [VertexId; K]>,
+        exact: bool,
+    ) -> Failure<Self::Value> {
+        let failures = places.map(|at| self.failure(condition, residual, at, exact));
+        let none = Failure { condition, defect: 0.0, residual: None };
+        failures.reduce(Failure::worse).unwrap_or(none)
+    }
 }

@@ -45,6 +45,8 @@ pub enum Command {
     Info(InfoOptions),
     Convert(ConvertOptions),
     Dual(DualOptions),
+    Gauss(GaussOptions),
+    Offset(OffsetOptions),
     Move(MoveOptions),
     Triangulate(TriangulateOptions),
     Accuracy(AccuracyOptions),
@@ -96,16 +98,23 @@ pub struct InputOptions {
 #[command(after_help = "\
 Properties: planar, i-circular, i-conical, inscribed, circumscribed, midscribed (to the unit
 i-sphere 2z = x² + y²), delaunay (top view), circular, conical (Euclidean).
+Properties of a pair M, S, with --with S: parallel (edges), f-parallel (face planes), v-parallel
+(top views), christoffel-dual (parallel, mixed areas 0), i-minimal (H = 0 at every face), cmc (H is
+the same at every face), constant-k. S has the faces of M, with the vertices in the same order.
 Without --is all are judged and the exit code is 0.
 The defect of a residual is its size, divided by the sum of the sizes of its terms: free of units.
-Example:
-  isogeo check roof.obj --is planar,i-circular --format json")]
+Examples:
+  isogeo check roof.obj --is planar,i-circular --format json
+  isogeo check roof.obj --with gauss.iso.json --is f-parallel,i-minimal")]
 pub struct CheckOptions {
     #[command(flatten)]
     pub input: InputOptions,
     /// The properties to judge, separated by commas
     #[arg(long, value_name = "PROPERTY", value_delimiter = ',')]
     pub is: Vec<String>,
+    /// A second mesh S, such as a Gauss image: judge the pair, too
+    #[arg(long, value_name = "MESH2")]
+    pub with: Option<PathBuf>,
     /// Count a residual of at most T times its scale as undecided instead of refuted
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
@@ -161,6 +170,72 @@ Example:
 pub struct DualOptions {
     #[command(flatten)]
     pub input: InputOptions,
+    #[command(flatten)]
+    pub output: OutputOptions,
+}
+
+/// Write a Gauss image: a mesh inscribed or circumscribed to the unit i-sphere, exactly
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Kinds:
+  lift           the same top view, lifted to the unit i-sphere; M i-circular, or of triangles
+  delaunay       the same, where the top view of M is moreover a Delaunay triangulation
+  inscribed      parallel edges, vertices on the sphere; M i-circular, faces with an even number of
+                 sides; one for every start of vertex --at [default: mean of the gradients there]
+  circumscribed  parallel planes, touching the sphere; M i-conical. With --start: the same top view,
+                 and face --at touches over the start
+That there is none is a result: exit code 1 if it is refuted, else 3.
+Example:
+  isogeo gauss shell.iso.json --kind inscribed --start 1/3,1/2 -o gauss.iso.json")]
+pub struct GaussOptions {
+    #[command(flatten)]
+    pub input: InputOptions,
+    /// Which Gauss image
+    #[arg(long, value_enum)]
+    pub kind: GaussKind,
+    /// The top view of the image of vertex --at, or of the contact point of face --at
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    pub start: Option<String>,
+    /// The vertex or face to start from [default: 0; without --start, the first vertex of most faces]
+    #[arg(long, value_name = "N")]
+    pub at: Option<u32>,
+    #[command(flatten)]
+    pub output: OutputOptions,
+}
+
+/// Which Gauss image
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum GaussKind {
+    /// f-parallel, vertices on the unit i-sphere
+    Inscribed,
+    /// f-parallel, or v-parallel with --start: planes that touch the unit i-sphere
+    Circumscribed,
+    /// v-parallel, vertices on the unit i-sphere
+    Lift,
+    /// The lift over a Delaunay triangulation
+    Delaunay,
+}
+
+/// Write the offset M + dS of a mesh M with a Gauss image S
+#[derive(Debug, Args)]
+#[command(after_help = "\
+M and S must be f-parallel or have parallel edges, exactly; with --vertical they must have the same
+top view, and vertices are moved by d times the height of S. That they do not fit is a result: exit
+code 1 if it is refuted, else 3. Data on elements are left out: they are those of M.
+Example:
+  isogeo offset shell.iso.json --gauss gauss.iso.json -d 1/2 -o offset.iso.json")]
+pub struct OffsetOptions {
+    #[command(flatten)]
+    pub input: InputOptions,
+    /// The mesh S, with the faces of M
+    #[arg(long, value_name = "S")]
+    pub gauss: PathBuf,
+    /// The distance: an integer, a decimal or a fraction
+    #[arg(short, long, value_name = "D", allow_hyphen_values = true)]
+    pub distance: String,
+    /// Move vertices vertically, in a pair with the same top view
+    #[arg(long)]
+    pub vertical: bool,
     #[command(flatten)]
     pub output: OutputOptions,
 }

@@ -8,75 +8,119 @@ use super::arguments::{CheckOptions, Layout};
 use super::failure::Failure;
 use super::input::{self, Input};
 use super::{Status, output, words};
-use crate::check::{Element, Reason, Report, Verdict};
+use crate::check::{Decide, Element, Reason, Report, Verdict};
 use crate::net::{Net, Property};
+use crate::pair::{Couple, PairProperty};
 use crate::scalar::{Rational, ReadAs};
 
 /// Properties of the interface that are not there yet.
-const TO_COME: [&str; 10] = [
-    "i-isothermic",
-    "koenigs",
-    "i-minimal",
-    "edge-offset",
-    "parallel",
-    "f-parallel",
-    "v-parallel",
-    "christoffel-dual",
-    "cmc",
-    "constant-k",
-];
+const TO_COME: [&str; 3] = ["i-isothermic", "koenigs", "edge-offset"];
+
+/// A property of the mesh, or of the pair.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Asked {
+    Mesh(Property),
+    Pair(PairProperty),
+}
 
 /// Judges the mesh and prints the report.
 pub fn run(options: &CheckOptions, layout: Layout) -> Result<Status, Failure> {
-    let properties = properties(&options.is)?;
+    let asked = asked(&options.is, options.with.is_some())?;
     if options.tolerance.is_some_and(|t| !t.is_finite() || t < 0.0) {
         return Err(Failure::usage(
             "a tolerance is a finite number that is not negative, such as 1e-9",
         ));
     }
     let input = input::read(&options.input)?;
+    let image = options.with.as_ref();
+    let image = image.map(|path| input::read_image(path, &options.input, &input)).transpose()?;
     let bar = output::progress(input.topology().face_count(), "clearing denominators");
-    let decider = input.decider().within(options.tolerance);
+    let mut decider = input.decider().within(options.tolerance);
+    if let Some(image) = &image {
+        decider = decider.followed_by(image.decider());
+    }
     let net = Net::new(input.topology(), &decider);
-    let reports: Vec<_> = properties
-        .iter()
-        .map(|&property| {
-            bar.set_message(property.name());
-            net.check(property)
-        })
-        .collect();
+    let couple = couple(&input, image.as_ref(), &decider)?;
+    let reports = asked.into_iter().filter_map(|asked| {
+        bar.set_message(asked.name());
+        match asked {
+            Asked::Mesh(property) => Some(net.check(property)),
+            Asked::Pair(property) => couple.as_ref().map(|couple| couple.check(property)),
+        }
+    });
+    let reports: Vec<_> = reports.collect();
     bar.finish_and_clear();
     if layout.is_json() {
-        output::print_json(&as_json(&input, options, &reports))?;
+        output::print_json(&as_json(&input, image.as_ref(), options, &reports))?;
     } else {
-        output::print(&as_text(&input, options, &reports))?;
+        output::print(&as_text(&input, image.as_ref(), options, &reports))?;
     }
     Ok(status(options, &reports))
 }
 
-fn properties(names: &[String]) -> Result<Vec<Property>, Failure> {
-    if names.is_empty() {
-        return Ok(Property::ALL.to_vec());
-    }
-    let property = |name: &String| {
-        Property::from_name(name).ok_or_else(|| {
-            let known = Property::ALL.map(Property::name).join(", ");
-            let message = if TO_COME.contains(&name.as_str()) {
-                format!("the property '{name}' is not there yet")
-            } else {
-                format!("there is no property '{name}'")
-            };
-            Failure::with_help(message, format!("the properties are {known}"))
-        })
-    };
-    let mut properties = Vec::new();
-    for name in names {
-        let property = property(name)?;
-        if !properties.contains(&property) {
-            properties.push(property);
+fn couple<'a, D: Decide>(
+    input: &'a Input,
+    image: Option<&Input>,
+    decide: &'a D,
+) -> Result<Option<Couple<'a, D>>, Failure> {
+    let couple = |image: &Input| Couple::new(input.topology(), image.topology(), decide);
+    image.map(couple).transpose().map_err(|misfit| Failure::usage(misfit.to_string()))
+}
+
+impl Asked {
+    fn name(self) -> &'static str {
+        match self {
+            Asked::Mesh(property) => property.name(),
+            Asked::Pair(property) => property.name(),
         }
     }
-    Ok(properties)
+
+    fn from_name(name: &str, with: bool) -> Result<Asked, Failure> {
+        let pair = PairProperty::from_name(name);
+        if let Some(property) = pair.filter(|_| with) {
+            return Ok(Asked::Pair(property));
+        }
+        if let Some(property) = Property::from_name(name) {
+            return Ok(Asked::Mesh(property));
+        }
+        let known = Property::ALL.map(Property::name).join(", ");
+        let pairs = PairProperty::ALL.map(PairProperty::name).join(", ");
+        let (message, help) = match pair {
+            Some(PairProperty::IMinimal) => (
+                "of a mesh alone, the property 'i-minimal' is not there yet".to_owned(),
+                "of a pair it is H = 0 at every face: add --with S, the Gauss image".to_owned(),
+            ),
+            Some(_) => (
+                format!("the property '{name}' is that of a pair of meshes"),
+                "add --with S, the second mesh".to_owned(),
+            ),
+            None => (
+                if TO_COME.contains(&name) {
+                    format!("the property '{name}' is not there yet")
+                } else {
+                    format!("there is no property '{name}'")
+                },
+                format!("the properties are {known}; of a pair, with --with S, {pairs}"),
+            ),
+        };
+        Err(Failure::with_help(message, help))
+    }
+}
+
+/// The properties of these names, each once; all of them, if there are no names.
+fn asked(names: &[String], with: bool) -> Result<Vec<Asked>, Failure> {
+    if names.is_empty() {
+        let pairs = PairProperty::ALL.into_iter().filter(|_| with).map(Asked::Pair);
+        return Ok(Property::ALL.into_iter().map(Asked::Mesh).chain(pairs).collect());
+    }
+    let mut all = Vec::new();
+    for name in names {
+        let asked = Asked::from_name(name, with)?;
+        if !all.contains(&asked) {
+            all.push(asked);
+        }
+    }
+    Ok(all)
 }
 
 fn status(options: &CheckOptions, reports: &[Report<Rational>]) -> Status {
@@ -90,7 +134,12 @@ fn status(options: &CheckOptions, reports: &[Report<Rational>]) -> Status {
     }
 }
 
-fn as_text(input: &Input, options: &CheckOptions, reports: &[Report<Rational>]) -> String {
+fn as_text(
+    input: &Input,
+    image: Option<&Input>,
+    options: &CheckOptions,
+    reports: &[Report<Rational>],
+) -> String {
     let topology = input.topology();
     let mut text = format!(
         "{}: {} ({} interior), {}; {}\n",
@@ -100,13 +149,22 @@ fn as_text(input: &Input, options: &CheckOptions, reports: &[Report<Rational>]) 
         words::count(topology.face_count(), "face"),
         reading(input),
     );
+    if let Some(image) = image {
+        let _ = writeln!(text, "with {}; {}", image.file.name, reading(image));
+    }
+    let width = reports.iter().map(|r| r.property.len() + 1).fold(15, usize::max);
+    let indent = width + 14;
     for report in reports {
         let verdict = match report.verdict() {
             Verdict::Refuted => "REFUTED".to_owned(),
             verdict => verdict.to_string(),
         };
-        let _ =
-            writeln!(text, "  {:<15}{verdict:<12}{}", report.property, details(report, options));
+        let _ = writeln!(
+            text,
+            "  {:<width$}{verdict:<12}{}",
+            report.property,
+            details(report, options)
+        );
         if let Some(witness) = &report.worst {
             let failure = &witness.failure;
             let residual = match &failure.residual {
@@ -115,7 +173,7 @@ fn as_text(input: &Input, options: &CheckOptions, reports: &[Report<Rational>]) 
             };
             let _ = writeln!(
                 text,
-                "{:29}worst: {}, {}:{residual} defect {}",
+                "{:indent$}worst: {}, {}:{residual} defect {}",
                 "",
                 witness.element,
                 failure.condition,
@@ -123,7 +181,7 @@ fn as_text(input: &Input, options: &CheckOptions, reports: &[Report<Rational>]) 
             );
         }
         if let Some((element, reason)) = report.undefined.first() {
-            let _ = writeln!(text, "{:29}undefined first at {element}: {reason}", "");
+            let _ = writeln!(text, "{:indent$}undefined first at {element}: {reason}", "");
         }
     }
     if options.input.read_as.is_none() && reports.iter().any(|r| r.consistent > 0) {
@@ -209,10 +267,15 @@ fn short(element: &Element) -> String {
     }
 }
 
-fn as_json(input: &Input, options: &CheckOptions, reports: &[Report<Rational>]) -> Value {
+fn as_json(
+    input: &Input,
+    image: Option<&Input>,
+    options: &CheckOptions,
+    reports: &[Report<Rational>],
+) -> Value {
     let topology = input.topology();
     let properties: Vec<Value> = reports.iter().map(report_json).collect();
-    json!({
+    let mut report = json!({
         "schema": "isogeo.check/1",
         "file": input.file.name,
         "mesh": {
@@ -223,7 +286,12 @@ fn as_json(input: &Input, options: &CheckOptions, reports: &[Report<Rational>]) 
         },
         "tolerance": options.tolerance,
         "properties": properties,
-    })
+    });
+    if let Some(image) = image {
+        report["with"] = json!(image.file.name);
+        report["with_read_as"] = json!(image.read_as.name());
+    }
+    report
 }
 
 fn report_json(report: &Report<Rational>) -> Value {

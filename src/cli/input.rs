@@ -1,11 +1,14 @@
 //! Reading the mesh that a command is about.
 
-use super::arguments::InputOptions;
+use std::path::Path;
+
+use super::arguments::{InputOptions, Reading};
 use super::failure::Failure;
 use super::output;
 use crate::check::Decider;
 use crate::mesh::file::{self, Coordinates, MeshFile};
 use crate::mesh::{Mesh, Topology};
+use crate::pair::Misfit;
 use crate::scalar::{Numeral, Rational, ReadAs};
 
 /// A mesh file and the reading of its numbers.
@@ -18,13 +21,32 @@ pub struct Input {
 
 /// Reads the file that the options name.
 pub fn read(options: &InputOptions) -> Result<Input, Failure> {
-    let bytes = std::fs::metadata(&options.mesh).map_or(0, |m| m.len() as usize);
+    read_file(&options.mesh, options.read_as)
+}
+
+/// Reads the second mesh of a pair with the mesh that was read by these options; without an option
+/// its reading is its own.
+///
+/// That the meshes do not have the same faces is an error that says where.
+pub fn read_image(path: &Path, options: &InputOptions, mesh: &Input) -> Result<Input, Failure> {
+    let image = read_file(path, options.read_as)?;
+    Misfit::<Rational>::of_topologies(mesh.topology(), image.topology()).map_err(|misfit| {
+        Failure::with_help(
+            format!("{} and {} are no pair: {misfit}", mesh.file.name, image.file.name),
+            "the meshes of a pair have the same faces, with their vertices in the same order",
+        )
+    })?;
+    Ok(image)
+}
+
+fn read_file(path: &Path, reading: Option<Reading>) -> Result<Input, Failure> {
+    let bytes = std::fs::metadata(path).map_or(0, |m| m.len() as usize);
     let bar = output::progress(bytes / 50, "reading");
-    let mut file = file::read(&options.mesh)?;
+    let mut file = file::read(path)?;
     bar.finish_and_clear();
     let read_as = match &file.coordinates {
         Coordinates::Rationals(_) => ReadAs::Decimal,
-        Coordinates::Numerals(_) => options.read_as.map_or(file.default_reading(), ReadAs::from),
+        Coordinates::Numerals(_) => reading.map_or(file.default_reading(), ReadAs::from),
     };
     if read_as == ReadAs::Double {
         file = file.into_doubles()?;

@@ -6,9 +6,12 @@ mod check;
 mod convert;
 mod dual;
 mod failure;
+mod gauss;
 mod info;
 mod input;
 mod motion;
+mod numbers;
+mod offset;
 mod output;
 mod triangulate;
 mod usage;
@@ -79,6 +82,8 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Info(options) => info::run(&options, layout),
         Command::Convert(options) => convert::run(&options, layout),
         Command::Dual(options) => dual::run(&options, layout),
+        Command::Gauss(options) => gauss::run(&options, layout),
+        Command::Offset(options) => offset::run(&options, layout),
         Command::Move(options) => motion::run(&options, layout),
         Command::Triangulate(options) => triangulate::run(&options, layout),
         Command::Accuracy(options) => accuracy::run(&options, layout),

@@ -49,13 +49,13 @@ pub fn write(
     write_saying(path, mesh, options, layout, None)
 }
 
-/// The same, with one more field for programs.
-pub fn write_saying(
+/// The same, with more fields for programs.
+pub fn write_saying<'a>(
     path: &Path,
     mesh: &Mesh<Rational>,
     options: &Options,
     layout: Layout,
-    extra: Option<(&str, serde_json::Value)>,
+    extra: impl IntoIterator<Item = (&'a str, serde_json::Value)>,
 ) -> Result<(), Failure> {
     let written = file::write(path, mesh, options)?;
     let exact = written == Written::Exact;
@@ -69,7 +69,7 @@ pub fn write_saying(
             "exact": exact,
             "data_kept": keeps_data(path, mesh),
         });
-        if let Some((key, value)) = extra {
+        for (key, value) in extra {
             report[key] = value;
         }
         print_json(&report)

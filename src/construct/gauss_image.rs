@@ -79,6 +79,43 @@ impl<T> NoGaussImage<T> {
     }
 }
 
+impl<T> NoGaussImage<T> {
+    /// The same with `f` applied to every number, to show them in another form.
+    pub fn map<S>(&self, f: impl Fn(&T) -> S) -> NoGaussImage<S> {
+        match self {
+            NoGaussImage::NoStart(i) => NoGaussImage::NoStart(*i),
+            NoGaussImage::Plane(reason) => NoGaussImage::Plane(reason.map(f)),
+            NoGaussImage::NotConical { vertex, residual } => {
+                NoGaussImage::NotConical { vertex: *vertex, residual: f(residual) }
+            }
+            NoGaussImage::AtInfinity(v) => NoGaussImage::AtInfinity(*v),
+            NoGaussImage::VerticalEdge(v, w) => NoGaussImage::VerticalEdge(*v, *w),
+            NoGaussImage::FaceOpen { face, residual: Vector3 { x, y, z } } => {
+                let residual = Vector3 { x: f(x), y: f(y), z: f(z) };
+                NoGaussImage::FaceOpen { face: *face, residual }
+            }
+            NoGaussImage::VertexOpen { vertex, residual: Vector2 { x, y } } => {
+                NoGaussImage::VertexOpen { vertex: *vertex, residual: Vector2 { x: f(x), y: f(y) } }
+            }
+            NoGaussImage::VertexCycleOpen(cycle) => NoGaussImage::VertexCycleOpen(cycle.clone()),
+            NoGaussImage::FaceCycleOpen(cycle) => NoGaussImage::FaceCycleOpen(cycle.clone()),
+            NoGaussImage::Misfit(reason) => NoGaussImage::Misfit(reason.map(f)),
+        }
+    }
+
+    /// Whether the construction meets something undefined, as a vertical face or edge or a vertex
+    /// at infinity, rather than a residual that does not vanish.
+    pub fn is_undefined(&self) -> bool {
+        matches!(
+            self,
+            NoGaussImage::Plane(NoPlane::NotAGraph(_))
+                | NoGaussImage::AtInfinity(_)
+                | NoGaussImage::VerticalEdge(..)
+                | NoGaussImage::Misfit(Misfit::Plane(_, NoPlane::NotAGraph(_)))
+        )
+    }
+}
+
 impl<T: fmt::Display> fmt::Display for NoGaussImage<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fn list(ids: impl Iterator<Item = u32>) -> String {

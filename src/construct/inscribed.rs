@@ -2,10 +2,10 @@
 
 use super::NoGaussImage;
 use super::spread::{joined_vertices, spread};
-use crate::mesh::{Data, FaceId, Mesh, VertexId};
+use crate::mesh::{Data, FaceId, Mesh, NoPlane, VertexId};
 use crate::pair::{FParallel, Misfit, VParallel};
 use crate::scalar::Field;
-use crate::space::{ParabolicSphere, Point, TopView, Vector3};
+use crate::space::{Dual, ParabolicSphere, Point, TopView, Vector3};
 
 /// The lift to Σ: the same top views, with the heights `|x'|²/2`.
 ///
@@ -97,6 +97,40 @@ pub fn inscribed_f_parallel<'a, T: Field>(
     }
     let image = Mesh { topology: topology.clone(), points: found.values, data: Data::default() };
     Ok(FParallel::owning(mesh, image)?)
+}
+
+/// A start for [`inscribed_f_parallel`]: the dual of the mean of the gradients of the faces at a
+/// vertex.
+///
+/// The image of a vertex lies near the gradients around it. At a vertex of one face, or of parallel
+/// ones, the mean is their own gradient, and these faces become points: another vertex is a better
+/// one to start from.
+///
+/// # Errors
+/// A face at the vertex without a plane; `None` at a vertex of no face.
+///
+/// ```
+/// use isogeo::construct::{mean_gradient, translational_net};
+/// use isogeo::mesh::VertexId;
+/// use isogeo::space::TopView;
+/// let wave = [(-1.0, 1.0), (0.0, 0.0), (3.0, 6.0)]; // slopes −1 and 2
+/// let m = translational_net(&wave, &wave)?;
+/// assert_eq!(mean_gradient(&m, VertexId(4)), Ok(Some(TopView::new(0.5, 0.5))));
+/// # Ok::<(), isogeo::mesh::TopologyError>(())
+/// ```
+pub fn mean_gradient<T: Field>(
+    mesh: &Mesh<T>,
+    vertex: VertexId,
+) -> Result<Option<TopView<T>>, NoPlane<T>> {
+    let at_vertex = |&f: &FaceId| mesh.topology.face(f).contains(&vertex);
+    let mut sum = TopView::new(T::zero(), T::zero());
+    let mut count = 0;
+    for face in mesh.topology.faces().filter(at_vertex) {
+        sum = &sum + &mesh.face_plane(face)?.gradient.dual().position();
+        count += 1;
+    }
+    let mean = |c: T| c.try_div(&T::from_i64(count));
+    Ok(mean(sum.x).zip(mean(sum.y)).map(|(x, y)| TopView::new(x, y)))
 }
 
 /// The point of Σ over a top view.

@@ -16,7 +16,7 @@ pub use circular_net::circular_net;
 pub use circumscribed::{Circumscribed, circumscribed_f_parallel, circumscribed_v_parallel};
 pub use delaunay::{NoTriangulation, delaunay};
 pub use gauss_image::NoGaussImage;
-pub use inscribed::{inscribed_f_parallel, inscribed_v_parallel, lift};
+pub use inscribed::{inscribed_f_parallel, inscribed_v_parallel, lift, mean_gradient};
 pub use metric_dual::{NoDual, face_plane, metric_dual};
 pub use translational_net::translational_net;
 pub use voronoi::voronoi_areas;

@@ -20,6 +20,18 @@ pub enum NoPlane<T> {
     NotAGraph(FaceId),
 }
 
+impl<T> NoPlane<T> {
+    /// The same with `f` applied to every number.
+    pub fn map<S>(&self, f: impl Fn(&T) -> S) -> NoPlane<S> {
+        match self {
+            NoPlane::NotPlanar { face, residual } => {
+                NoPlane::NotPlanar { face: *face, residual: f(residual) }
+            }
+            NoPlane::NotAGraph(face) => NoPlane::NotAGraph(*face),
+        }
+    }
+}
+
 impl<T: fmt::Display> fmt::Display for NoPlane<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

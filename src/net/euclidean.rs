@@ -5,7 +5,7 @@ use super::Judge;
 use super::i_circular::distinct;
 use super::i_conical::{join, normal, planar_failure};
 use super::planar::{self, ProjectedArea, spanning_triangle};
-use crate::check::{Answer, Decide, Outcome, Reason, Residual, RootSum};
+use crate::check::{Answer, Decide, Failure, Outcome, Reason, Residual, RootSum};
 use crate::mesh::{FaceId, HalfEdge, VertexId};
 use crate::scalar::{Ring, Sign, det3};
 use crate::space::{Point, Vector3};
@@ -146,7 +146,7 @@ pub(super) fn conical<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D
         let failures = places
             .iter()
             .map(|&at| judge.decide().root_failure("cone of revolution", ConcyclicNormals, at));
-        let worst = failures.reduce(|a, b| if b.defect > a.defect { b } else { a });
+        let worst = failures.reduce(Failure::worse);
         worst.unwrap_or_else(|| planar_failure(judge, &star))
     })
 }

@@ -153,7 +153,7 @@ pub(super) fn planar_failure<D: Decide>(
         .filter(|&f| judge.net.shape(f).planar != Answer::Zero)
         .map(|f| planar::failure(judge, f));
     let none = Failure { condition: "planar", defect: 0.0, residual: None };
-    failures.fold(none, |a, b| if b.defect > a.defect { b } else { a })
+    failures.fold(none, Failure::worse)
 }
 
 /// Whether the planes of the two faces at an edge agree: the factor `w` of that edge.

@@ -25,7 +25,7 @@ use std::sync::OnceLock;
 
 use rayon::prelude::*;
 
-use crate::check::{Decide, Element, Failure, Outcome, Report, Residual, Witness};
+use crate::check::{Decide, Element, Failure, Outcome, Report, Residual};
 use crate::mesh::{FaceId, Topology, VertexId};
 pub use planar::FaceShape;
 
@@ -110,16 +110,9 @@ impl<'a, D: Decide> Net<'a, D> {
     pub fn check(&self, property: Property) -> Report<D::Value> {
         let elements = self.elements(property);
         self.know_faces(property);
-        let quick = Judge { net: self, exact: false };
-        let mut report =
-            Report::collect(property.name(), &elements, |e| (e, quick.outcome(property, e)));
-        if let Some(Witness { element, failure }) = &mut report.worst {
-            let thorough = Judge { net: self, exact: true };
-            if let Outcome::Fails(exact) = thorough.outcome(property, *element) {
-                *failure = exact;
-            }
-        }
-        report
+        Report::collect(property.name(), &elements, |element, exact| {
+            Judge { net: self, exact }.outcome(property, element)
+        })
     }
 
     fn elements(&self, property: Property) -> Vec<Element> {
@@ -225,11 +218,6 @@ impl<D: Decide> Judge<'_, D> {
         residual: impl Residual<K>,
         places: impl Iterator<Item = [VertexId; K]>,
     ) -> Failure<D::Value> {
-        let failures = places.map(|at| self.failure(condition, residual, at));
-        let worse = |a: Failure<D::Value>, b: Failure<D::Value>| {
-            if b.defect > a.defect { b } else { a }
-        };
-        let none = Failure { condition, defect: 0.0, residual: None };
-        failures.reduce(worse).unwrap_or(none)
+        self.net.decide.worst(condition, residual, places, self.exact)
     }
 }

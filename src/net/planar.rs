@@ -62,7 +62,7 @@ impl Residual<3> for ProjectedArea {
 
 /// A difference of coordinates: x, y or z by number.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Difference(pub usize);
+pub struct Difference(pub usize);
 
 impl Residual<2> for Difference {
     const TRANSLATES: bool = true;
@@ -92,7 +92,8 @@ pub enum Position {
     Collinear,
 }
 
-pub(super) fn shape<D: Decide>(decide: &D, face: &[VertexId]) -> FaceShape {
+/// Planarity and position of a face, given by its corners.
+pub fn shape<D: Decide>(decide: &D, face: &[VertexId]) -> FaceShape {
     let position = if triangle(decide, ProjectedArea::TopView, face).is_some() {
         Position::Graph
     } else if spanning_triangle(decide, face).is_some() {
@@ -115,7 +116,7 @@ pub(super) fn shape<D: Decide>(decide: &D, face: &[VertexId]) -> FaceShape {
 
 /// The quadruples of points to test: a quad itself, or a triangle of the face with each other
 /// point. `None` if the points are collinear.
-fn places<D: Decide>(
+pub fn places<D: Decide>(
     decide: &D,
     face: &[VertexId],
 ) -> Option<impl Iterator<Item = [VertexId; 4]> + Clone> {
@@ -130,7 +131,7 @@ fn places<D: Decide>(
 }
 
 /// Three points of the face that are not collinear in a projection, in the order of the face.
-pub(super) fn triangle<D: Decide>(
+pub fn triangle<D: Decide>(
     decide: &D,
     projection: ProjectedArea,
     face: &[VertexId],

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::mesh::{FaceId, Mesh, NoPlane, VertexId};
+use crate::mesh::{FaceId, Mesh, NoPlane, Topology, VertexId};
 use crate::space::{Vector2, Vector3};
 
 /// One of the two meshes of a pair.
@@ -65,12 +65,43 @@ impl<T> Misfit<T> {
                 return Err(Misfit::Points(which));
             }
         }
+        Self::of_topologies(m, s)
+    }
+
+    /// Checks that both meshes consist of the same faces.
+    ///
+    /// # Errors
+    /// [`Misfit::Counts`] or the first face that differs.
+    pub fn of_topologies(m: &Topology, s: &Topology) -> Result<(), Self> {
         let vertices = (m.vertex_count(), s.vertex_count());
         let faces = (m.face_count(), s.face_count());
         if vertices.0 != vertices.1 || faces.0 != faces.1 {
             return Err(Misfit::Counts { vertices, faces });
         }
         m.faces().find(|&f| m.face(f) != s.face(f)).map_or(Ok(()), |f| Err(Misfit::Face(f)))
+    }
+}
+
+impl<T> Misfit<T> {
+    /// The same with `f` applied to every number, to show them in another form.
+    pub fn map<S>(&self, f: impl Fn(&T) -> S) -> Misfit<S> {
+        match self {
+            Misfit::Points(which) => Misfit::Points(*which),
+            Misfit::Counts { vertices, faces } => {
+                Misfit::Counts { vertices: *vertices, faces: *faces }
+            }
+            Misfit::Face(face) => Misfit::Face(*face),
+            Misfit::Edge { edge, residual: Vector3 { x, y, z } } => {
+                Misfit::Edge { edge: *edge, residual: Vector3 { x: f(x), y: f(y), z: f(z) } }
+            }
+            Misfit::Plane(which, reason) => Misfit::Plane(*which, reason.map(f)),
+            Misfit::FacePlanes { face, vertex, residual } => {
+                Misfit::FacePlanes { face: *face, vertex: *vertex, residual: f(residual) }
+            }
+            Misfit::TopViews { vertex, residual: Vector2 { x, y } } => {
+                Misfit::TopViews { vertex: *vertex, residual: Vector2 { x: f(x), y: f(y) } }
+            }
+        }
     }
 }
 

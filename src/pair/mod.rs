@@ -10,6 +10,9 @@
 //! image, and another S gives another curvature. Each constructor checks exactly that the meshes fit
 //! and otherwise names the element and the residual: [`Misfit`].
 //!
+//! What pair two meshes are, rounded ones too, is asked of a [`Couple`]: verdicts on
+//! [`PairProperty`], with the worst element.
+//!
 //! The meshes parallel and v-parallel to a given one form linear spaces: [`linear_space`].
 //!
 //! All forms are kept four times as large ([`Forms`]), so that they need no division.
@@ -28,6 +31,8 @@ pub mod linear_space;
 mod misfit;
 mod offset;
 mod parallel;
+mod property;
+mod residual;
 mod roots;
 mod star;
 mod total;
@@ -48,6 +53,8 @@ pub use lifted::{LiftedForms, NoTriangle};
 pub use misfit::{Misfit, Which};
 pub use offset::{OffsetLaw, OffsetResiduals};
 pub use parallel::Parallel;
+pub use property::{Couple, PairProperty};
+pub use residual::{MixedArea, ParallelEdges, ParallelPlanes, SameCurvature};
 pub use roots::Roots;
 use star::star_forms_widened;
 pub use star::{Ray, star_forms};

@@ -3,6 +3,7 @@
 mod contract;
 mod damage;
 mod invariance;
+mod pairs;
 mod samples;
 mod shell;
 
@@ -18,11 +19,13 @@ fn first_steps() {
 #[test]
 fn help_has_an_example() {
     let shell = Shell::new();
-    let commands = ["check", "info", "convert", "dual", "move", "completions", "man"];
+    let commands =
+        ["check", "info", "convert", "dual", "gauss", "offset", "move", "completions", "man"];
     for command in commands {
         let run = shell.run(&[command, "--help"]);
         assert_eq!(run.code, 0);
-        assert!(run.out.contains("Example:\n  isogeo "), "{command} has no example");
+        let (_, example) = run.out.split_once("Example").expect("an example");
+        assert!(example.contains(":\n  isogeo "), "{command} has no example");
     }
     assert_snapshot!(
         shell.session(&commands.map(|c| format!("{c} --help")).each_ref().map(|c| c.as_str()))
@@ -158,7 +161,7 @@ fn broken(shell: &Shell) {
     shell.file("grid.vtu", "");
 }
 
-const ERRORS: [&str; 20] = [
+const ERRORS: [&str; 21] = [
     "check fraction.obj",
     "check index.obj",
     "info one-based.off",
@@ -172,6 +175,7 @@ const ERRORS: [&str; 20] = [
     "check kite.obj --is flat",
     "check kite.obj --is planar,",
     "check kite.obj --is koenigs,constant-k",
+    "check kite.obj --is constant-k",
     "check kite.obj --tolerance -1",
     "check kite.obj --tolerance inf",
     "check kite.obj --tolerance little",

@@ -25,9 +25,9 @@ fn verdict(mesh: &Mesh<Q>, property: Property) -> Verdict {
 }
 
 /// Everything but the choice of the worst element, which is made by rounded numbers.
-type Findings = (Verdict, [usize; 4], Vec<Element>, Vec<(Element, Reason)>);
+pub type Findings = (Verdict, [usize; 4], Vec<Element>, Vec<(Element, Reason)>);
 
-fn findings<V>(report: &Report<V>) -> Findings {
+pub fn findings<V>(report: &Report<V>) -> Findings {
     (
         report.verdict(),
         [report.checked, report.trivial, report.consistent, report.undecided],
@@ -209,7 +209,7 @@ proptest! {
 }
 
 /// Prints an exact number rounded to `digits` decimals.
-fn printed(x: &Q, digits: u32) -> Numeral {
+pub fn printed(x: &Q, digits: u32) -> Numeral {
     let scale = Q::from_i64(10i64.pow(digits));
     let n = (x * &scale + Q::from_ratio(1, 2)).floor().to_integer();
     format!("{n}e-{digits}").parse().expect("a decimal")

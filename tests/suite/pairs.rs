@@ -5,6 +5,7 @@ mod areas;
 mod exact;
 mod faces;
 mod images;
+mod properties;
 mod refusals;
 mod values;
 mod vertices;
