@@ -3,11 +3,11 @@
 use rayon::prelude::*;
 
 use super::integers::Integer;
+use super::local::Local;
 use super::report::Failure;
 use super::residual::{Answer, Decide, Residual, RootSum};
 use super::roots::vanish;
-use super::store::{Local, Store};
-use crate::mesh::VertexId;
+use crate::mesh::{ExactPoints, VertexId};
 use crate::scalar::{Ball, Numeral, Rational, Ring, Sign, Variation};
 use crate::space::Point;
 
@@ -18,7 +18,7 @@ use crate::space::Point;
 /// otherwise denominators are cleared element by element.
 #[derive(Clone, Debug)]
 pub struct Decider<'a> {
-    store: Store<'a>,
+    store: ExactPoints<'a>,
     /// Half the widths of the boxes about the coordinates, where there are boxes.
     boxes: Option<Vec<Point<f64>>>,
     tolerance: Option<f64>,
@@ -27,12 +27,12 @@ pub struct Decider<'a> {
 impl<'a> Decider<'a> {
     /// Decides on numbers taken exactly as they are printed.
     pub fn new(points: &'a [Point<Numeral>]) -> Self {
-        Decider { store: Store::of_numerals(points), boxes: None, tolerance: None }
+        Decider { store: points.into(), boxes: None, tolerance: None }
     }
 
     /// Decides on rational points.
     pub fn of_rationals(points: &'a [Point<Rational>]) -> Self {
-        Decider { store: Store::of_rationals(points), boxes: None, tolerance: None }
+        Decider { store: points.into(), boxes: None, tolerance: None }
     }
 
     /// Decides on the boxes that printed numbers stand for: half a unit of the last digit about
@@ -228,7 +228,8 @@ impl Decider<'_> {
         places: &[[VertexId; K]],
         exact: bool,
     ) -> Failure<Rational> {
-        let value = |at| residual.eval(&self.store.exact(at), &Rational::one());
+        let value =
+            |at: &[VertexId; K]| residual.eval(&at.map(|v| self.store.point(v)), &Rational::one());
         let sum = || places.iter().map(value).fold(Rational::zero(), |sum, value| sum + value);
         let defect = places.split_first().map_or(0.0, |(first, more)| {
             let local = self.store.local(first, more, R::TRANSLATES.then_some(R::BLOCK));

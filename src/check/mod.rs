@@ -7,11 +7,11 @@
 
 mod decider;
 mod integers;
+mod local;
 mod plain;
 mod report;
 mod residual;
 mod roots;
-mod store;
 mod verdict;
 
 pub use decider::Decider;

@@ -45,6 +45,7 @@ pub enum Command {
     Info(InfoOptions),
     Convert(ConvertOptions),
     Dual(DualOptions),
+    Curvature(CurvatureOptions),
     Gauss(GaussOptions),
     Offset(OffsetOptions),
     Move(MoveOptions),
@@ -172,6 +173,44 @@ pub struct DualOptions {
     pub input: InputOptions,
     #[command(flatten)]
     pub output: OutputOptions,
+}
+
+/// Compute H and K at faces or at vertices, exactly, of the mesh and a Gauss image
+#[derive(Debug, Args)]
+#[command(after_help = "\
+At faces of an f-parallel pair H = area(F, S)/area(F) and K = area(S)/area(F), in the top view (17);
+at vertices of a v-parallel pair H = D(v, s)/D(s) and K = D(v)/D(s), with areas of gradients (22).
+Without --gauss the image is the one that the mesh itself determines: at faces the image
+circumscribed to the unit i-sphere, of an i-conical mesh; at vertices the lift to it, of a triangle
+mesh or an i-circular one. Numbers that are rounded are taken as they are printed.
+Undefined values are reported with their reason; in a file their column 'defined' is 0.
+Examples:
+  isogeo curvature survey.obj --at vertices -o survey.vtu
+  isogeo curvature shell.iso.json --at faces --gauss gauss.iso.json --format json")]
+pub struct CurvatureOptions {
+    #[command(flatten)]
+    pub input: InputOptions,
+    /// Where
+    #[arg(long, value_enum)]
+    pub at: At,
+    /// The mesh S that stands for the Gauss image
+    #[arg(long, value_name = "S")]
+    pub gauss: Option<PathBuf>,
+    /// In JSON also the integrated values: area(F), area(F, S), area(S), or D(v), D(v, s), D(s)
+    #[arg(long)]
+    pub integrated: bool,
+    /// Write the mesh with H and K as data: .vtu (doubles, with defects) or .iso.json (exact)
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+}
+
+/// The elements that have curvatures
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum At {
+    /// Faces
+    Faces,
+    /// Vertices
+    Vertices,
 }
 
 /// Write a Gauss image: a mesh inscribed or circumscribed to the unit i-sphere, exactly

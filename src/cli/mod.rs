@@ -4,6 +4,7 @@ mod accuracy;
 mod arguments;
 mod check;
 mod convert;
+mod curvature;
 mod dual;
 mod failure;
 mod gauss;
@@ -82,6 +83,7 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Info(options) => info::run(&options, layout),
         Command::Convert(options) => convert::run(&options, layout),
         Command::Dual(options) => dual::run(&options, layout),
+        Command::Curvature(options) => curvature::run(&options, layout),
         Command::Gauss(options) => gauss::run(&options, layout),
         Command::Offset(options) => offset::run(&options, layout),
         Command::Move(options) => motion::run(&options, layout),

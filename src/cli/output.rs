@@ -93,6 +93,19 @@ fn keeps_data(path: &Path, mesh: &Mesh<Rational>) -> bool {
     has_none || matches!(Format::from_path(path), Some(Format::IsoJson | Format::Vtu))
 }
 
+/// How far something large has come, on a terminal; silent elsewhere.
+pub fn steps(count: usize, what: &'static str) -> ProgressBar {
+    const LARGE: usize = 50_000;
+    if count < LARGE || !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(count as u64).with_message(what);
+    if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent}% {eta}") {
+        bar.set_style(style);
+    }
+    bar
+}
+
 /// A sign of life on a terminal while something large is done; silent elsewhere.
 pub fn progress(size: usize, what: &'static str) -> ProgressBar {
     const LARGE: usize = 200_000;

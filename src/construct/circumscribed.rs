@@ -17,6 +17,8 @@ pub struct Circumscribed<'a, T: Field> {
     /// The vertices that were placed freely, in this order. The vertices that depend on them, and
     /// the curvatures of their faces, are those of one choice among many.
     pub free: Vec<VertexId>,
+    /// Whether M determines the image of a vertex, whatever was chosen elsewhere.
+    pub determined: Vec<bool>,
 }
 
 /// The circumscribed Gauss image of an i-conical mesh: the face planes are `z = p·x' − |p|²/2`, with
@@ -52,11 +54,13 @@ pub fn circumscribed_f_parallel<T: Field>(
         let point = placing.common_point(v)?;
         placing.image.push(point);
     }
+    placing.place_determined((0..mesh.points.len()).collect());
+    let determined = placing.image.iter().map(Option::is_some).collect();
     let free = placing.place_the_rest();
     let lone = mesh.points.iter().map(|p| ParabolicSphere::unit().contact_at(&p.top_view()).point);
     let points = placing.image.into_iter().zip(lone).map(|(s, lone)| s.unwrap_or(lone)).collect();
     let image = Mesh { topology: topology.clone(), points, data: Data::default() };
-    Ok(Circumscribed { pair: FParallel::owning(mesh, image)?, free })
+    Ok(Circumscribed { pair: FParallel::owning(mesh, image)?, free, determined })
 }
 
 struct Placing<'a, T> {
@@ -86,23 +90,27 @@ impl<T: Field> Placing<'_, T> {
         }
     }
 
-    /// Places all vertices that are left, those determined by neighbours first; returns the others.
+    /// Places the vertices that their neighbours determine, from those of the queue on.
+    fn place_determined(&mut self, mut queue: VecDeque<usize>) {
+        while let Some(v) = queue.pop_front() {
+            if self.image[v].is_none() {
+                self.image[v] = self.determined(v);
+                if self.image[v].is_some() {
+                    queue.extend(self.neighbours[v].iter().map(|&(w, _)| w));
+                }
+            }
+        }
+    }
+
+    /// Places all vertices that are left, one of them freely wherever nothing is determined; returns
+    /// these.
     fn place_the_rest(&mut self) -> Vec<VertexId> {
         let count = self.image.len();
         let mut free = Vec::new();
-        let mut queue: VecDeque<usize> = (0..count).collect();
         // Vertices on a line of two planes, then those in one plane.
         let order = |k: usize| (0..count).map(move |v| (k, v));
         let mut choices: VecDeque<(usize, usize)> = order(2).chain(order(1)).collect();
         loop {
-            while let Some(v) = queue.pop_front() {
-                if self.image[v].is_none() {
-                    self.image[v] = self.determined(v);
-                    if self.image[v].is_some() {
-                        queue.extend(self.neighbours[v].iter().map(|&(w, _)| w));
-                    }
-                }
-            }
             let open =
                 |&(k, v): &(usize, usize)| self.image[v].is_none() && self.planes[v].len() == k;
             let Some(next) = choices.iter().position(open) else {
@@ -112,7 +120,7 @@ impl<T: Field> Placing<'_, T> {
             choices.drain(..=next);
             self.image[v] = self.chosen(v);
             free.push(VertexId(v as u32));
-            queue.extend(self.neighbours[v].iter().map(|&(w, _)| w));
+            self.place_determined(self.neighbours[v].iter().map(|&(w, _)| w).collect());
         }
     }
 

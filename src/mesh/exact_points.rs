@@ -48,15 +48,70 @@ impl From<&[Point<Numeral>]> for ExactPoints<'_> {
 }
 
 impl ExactPoints<'_> {
+    /// The number of points.
+    pub fn len(&self) -> usize {
+        match self {
+            ExactPoints::Lattice(lattice) => lattice.points.len(),
+            ExactPoints::Rationals(points) => points.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Whether two vertices have the same top view.
+    pub fn same_top_view(&self, a: VertexId, b: VertexId) -> bool {
+        match self {
+            ExactPoints::Lattice(Lattice { points, .. }) => {
+                let (p, q) = (&points[a.index()], &points[b.index()]);
+                p.x == q.x && p.y == q.y
+            }
+            ExactPoints::Rationals(points) => points[a.index()].is_parallel_to(&points[b.index()]),
+        }
+    }
+
+    /// Whether two vertices are the same point.
+    pub fn same_point(&self, a: VertexId, b: VertexId) -> bool {
+        match self {
+            ExactPoints::Lattice(Lattice { points, .. }) => points[a.index()] == points[b.index()],
+            ExactPoints::Rationals(points) => points[a.index()] == points[b.index()],
+        }
+    }
+
     /// The point of a vertex in rational numbers.
     pub fn point(&self, v: VertexId) -> Point<Rational> {
         match self {
             ExactPoints::Rationals(points) => points[v.index()].clone(),
-            ExactPoints::Lattice(Lattice { points, unit }) => points[v.index()].map(|&c| {
-                Rational::from_fraction(c.into(), (*unit).into()).unwrap_or_else(Rational::zero)
-            }),
+            ExactPoints::Lattice(Lattice { points, unit }) => rational(&points[v.index()], *unit),
         }
     }
+}
+
+impl<'a> ExactPoints<'a> {
+    /// These points and those of another mesh.
+    pub fn followed_by(self, other: ExactPoints<'a>) -> ExactPoints<'a> {
+        if let (ExactPoints::Lattice(own), ExactPoints::Lattice(more)) = (&self, &other)
+            && let Some(joined) = own.followed_by(more)
+        {
+            return ExactPoints::Lattice(joined);
+        }
+        let rationals = |points: ExactPoints<'a>| match points {
+            ExactPoints::Lattice(Lattice { points, unit }) => {
+                points.iter().map(|p| rational(p, unit)).collect()
+            }
+            ExactPoints::Rationals(points) => points.into_owned(),
+        };
+        let mut points = rationals(self);
+        points.extend(rationals(other));
+        ExactPoints::Rationals(points.into())
+    }
+}
+
+/// A point of a lattice with its own denominator.
+fn rational(point: &Point<i128>, unit: i128) -> Point<Rational> {
+    point.map(|&c| Rational::from_fraction(c.into(), unit.into()).unwrap_or_else(Rational::zero))
 }
 
 impl Lattice {
@@ -92,8 +147,7 @@ impl Lattice {
                 // Only zeros are cut off: `lowest` did not count the trailing ones.
                 return Some(mantissa >> -shift);
             }
-            let n = mantissa.checked_mul(*powers.get(shift as usize)?)?;
-            (n.abs() < LIMIT).then_some(n)
+            Self::bounded(mantissa.checked_mul(*powers.get(shift as usize)?)?)
         };
         Self::of(points, unit, integer)
     }
@@ -102,15 +156,29 @@ impl Lattice {
     pub fn of_rationals(points: &[Point<Rational>]) -> Option<Self> {
         let mut unit = 1i128;
         for c in points.iter().flat_map(|p| p.coordinates()) {
-            let (_, q) = small(c)?;
-            if unit % q != 0 {
-                unit = unit.checked_mul(q / unit.gcd(&q)).filter(|&u| u < LIMIT)?;
-            }
+            unit = common_multiple(unit, small(c)?.1)?;
         }
         Self::of(points, unit, |c| {
             let (p, q) = small(c)?;
-            p.checked_mul(unit / q).filter(|n| n.abs() < LIMIT)
+            Self::bounded(p.checked_mul(unit / q)?)
         })
+    }
+
+    /// These points and those of another lattice, on one that holds both.
+    fn followed_by(&self, other: &Lattice) -> Option<Lattice> {
+        let unit = common_multiple(self.unit, other.unit)?;
+        let refined = |lattice: &Lattice| {
+            let factor = unit / lattice.unit;
+            Self::of(&lattice.points, unit, |c| Self::bounded(c.checked_mul(factor)?))
+        };
+        let (mut joined, more) = (refined(self)?, refined(other)?);
+        joined.points.extend(more.points);
+        Some(joined)
+    }
+
+    /// A coordinate, if it is not too large.
+    pub(crate) fn bounded(n: i128) -> Option<i128> {
+        (n.abs() < LIMIT).then_some(n)
     }
 
     fn of<Q>(
@@ -131,4 +199,12 @@ fn small(c: &Rational) -> Option<(i128, i128)> {
     }
     let fits = |n: BigInt| i128::try_from(n).ok();
     Some((fits(c.numerator())?, fits(c.denominator())?))
+}
+
+/// The least common multiple of two denominators, if it is not too large.
+pub(crate) fn common_multiple(a: i128, b: i128) -> Option<i128> {
+    if a % b == 0 {
+        return Some(a);
+    }
+    Lattice::bounded(a.checked_mul(b / a.gcd(&b))?)
 }

@@ -11,6 +11,7 @@ use std::collections::BTreeMap;
 use crate::space::{Point, Transform};
 
 pub use dual::DualTopology;
+pub(crate) use exact_points::common_multiple;
 pub use exact_points::{ExactPoints, Lattice};
 pub use face_plane::NoPlane;
 pub(crate) use face_plane::spanning_plane;

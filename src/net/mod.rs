@@ -115,6 +115,28 @@ impl<'a, D: Decide> Net<'a, D> {
         })
     }
 
+    /// By how much each vertex or face misses a property of vertices or faces, for a picture: the
+    /// defect of its worst residual, free of units; 0 where the property holds or is undefined, and
+    /// at elements that it does not speak of.
+    pub fn defects(&self, property: Property) -> Vec<f64> {
+        let elements = self.elements(property);
+        self.know_faces(property);
+        let judge = Judge { net: self, exact: false };
+        let defect = |&element: &Element| match (element, judge.outcome(property, element)) {
+            (Element::Face(f), Outcome::Fails(failure)) => Some((f.index(), failure.defect)),
+            (Element::Vertex(v), Outcome::Fails(failure)) => Some((v.index(), failure.defect)),
+            _ => None,
+        };
+        let found: Vec<_> = elements.par_iter().filter_map(defect).collect();
+        let count = match elements.first() {
+            Some(Element::Face(_)) => self.topology.face_count(),
+            _ => self.topology.vertex_count(),
+        };
+        let mut defects = vec![0.0; count];
+        found.into_iter().for_each(|(index, defect)| defects[index] = defect);
+        defects
+    }
+
     fn elements(&self, property: Property) -> Vec<Element> {
         let topology = self.topology;
         let faces = || topology.faces().map(Element::Face);

@@ -1,7 +1,7 @@
 //! H and K with what follows from them alone.
 
 use super::Roots;
-use crate::scalar::{BigInt, Field, Fraction, RationalField, Ring};
+use crate::scalar::{Approx, BigInt, Field, Fraction, Ordered, RationalField, Ring, Sign};
 
 /// The i-mean curvature H and the i-curvature K of a face (17) or of a vertex (22).
 ///
@@ -80,6 +80,21 @@ impl Curvatures<Fraction<BigInt>> {
     /// The same numbers in lowest terms.
     pub fn reduced<Q: RationalField>(&self) -> Option<Curvatures<Q>> {
         Some(Curvatures { mean: self.mean.reduced()?, gauss: self.gauss.reduced()? })
+    }
+
+    /// The principal curvatures `H ± √(H² − K)` in ascending order, correct up to a few roundings;
+    /// `None` where `H² < K` or they are beyond the range of doubles.
+    pub fn principal_f64(&self) -> Option<[f64; 2]> {
+        let discriminant = self.discriminant();
+        if discriminant.certain_sign()? == Sign::Negative {
+            return None;
+        }
+        // The root without cancellation first; the other from the product K.
+        let (mean, root) = (self.mean.to_f64(), discriminant.to_f64().sqrt());
+        let large = if mean < 0.0 { mean - root } else { mean + root };
+        let small = if large == 0.0 { 0.0 } else { self.gauss.to_f64() / large };
+        let roots = [large.min(small), large.max(small)];
+        roots.iter().all(|x| x.is_finite()).then_some(roots)
     }
 }
 

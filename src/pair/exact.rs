@@ -8,11 +8,11 @@ use super::cleared::{Cleared, cleared};
 use super::units::Units;
 use super::{
     Curvatures, FaceForms, Forms, OffsetResiduals, Ray, VertexForms, VertexUndefined, ZeroArea,
-    star_forms_widened,
+    star_forms_widened, twice_area,
 };
 use crate::mesh::{ExactPoints, FaceId, Lattice, Topology, VertexId, VertexKind, spanning_plane};
 use crate::scalar::{
-    BigInt, Bounded, Field, Fraction, Narrow, Rational, RationalField, Ring, Wide,
+    BigInt, Bounded, Field, Fraction, Narrow, Ordered, Rational, RationalField, Ring, Sign, Wide,
 };
 use crate::space::{Point, TopView, Vector2};
 
@@ -183,6 +183,26 @@ impl<'a> ExactPair<'a> {
         };
         let four = four.map_or_else(|| self.rational_star(vertex), Ok)?;
         Ok(VertexForms { vertex, four })
+    }
+
+    /// The sign of the area that the star of a vertex has in the top view: positive if its faces run
+    /// counter-clockwise. Where `D(s)` has the opposite sign, the image is turned over, and H and K
+    /// say nothing about the shape.
+    pub fn star_orientation(&self, vertex: VertexId) -> Sign {
+        if self.topology.kind(vertex) != VertexKind::Interior {
+            return Sign::Zero;
+        }
+        let ring: Vec<_> = self.topology.star(vertex).map(|h| self.topology.target(h)).collect();
+        let small = match &self.mesh {
+            ExactPoints::Lattice(m) => twice_area(&lattice_views::<Wide<FACE>>(m, &ring)),
+            ExactPoints::Rationals(_) => return self.rational_orientation(&ring),
+        };
+        small.certain_sign().unwrap_or_else(|| self.rational_orientation(&ring))
+    }
+
+    fn rational_orientation(&self, ring: &[VertexId]) -> Sign {
+        let ring: Vec<_> = ring.iter().map(|&v| self.mesh.point(v).top_view()).collect();
+        twice_area(&ring).certain_sign().unwrap_or(Sign::Zero)
     }
 
     /// H and K at a vertex (22).

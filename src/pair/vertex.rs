@@ -87,7 +87,7 @@ impl<T: Field> VertexForms<T> {
 }
 
 impl<T: Ordered> VertexForms<T> {
-    /// Whether `D(s) < 0`: then H and K exist but the Gauss image is turned over, and they say
+    /// Whether `D(s) < 0`, in a mesh whose faces run counter-clockwise in the top view: then H and K exist but the Gauss image is turned over, and they say
     /// nothing about the shape. For lifts of triangle meshes this cannot happen at a vertex whose
     /// edges are all Delaunay.
     pub fn image_is_reversed(&self) -> bool {

@@ -36,13 +36,7 @@ impl Columns {
     }
 
     /// Writes the mesh with the columns; in VTU also with what it misses of its classes.
-    pub fn write(
-        self,
-        path: &Path,
-        input: &Input,
-        at: At,
-        layout: Layout,
-    ) -> Result<(), Failure> {
+    pub fn write(self, path: &Path, input: &Input, at: At, layout: Layout) -> Result<(), Failure> {
         let mut mesh = input.exact();
         let Columns { mean, gauss, defined } = self;
         let named = [("H", mean), ("K", gauss), ("defined", defined)];

@@ -40,7 +40,7 @@ pub struct Short {
     pub signs: [Sign; 2],
     /// Whether `H² < K`.
     pub complex: bool,
-    /// Whether `D(s) < 0`.
+    /// Whether `D(s)` has the sign that the orientation of the faces does not have.
     pub reversed: bool,
 }
 
@@ -104,10 +104,9 @@ impl Elements<'_> {
             return Err(Undefined { kind: "as the mesh does not determine their image", reason });
         }
         let forms = self.pair.face_forms(face);
-        let curvatures = forms.curvatures().map_err(|e| Undefined {
-            kind: "of area 0 in the top view",
-            reason: e.to_string(),
-        })?;
+        let curvatures = forms
+            .curvatures()
+            .map_err(|e| Undefined { kind: "of area 0 in the top view", reason: e.to_string() })?;
         Ok(Found { forms: forms.four, curvatures, reversed: false })
     }
 
@@ -115,17 +114,14 @@ impl Elements<'_> {
         let undefined = |e: VertexUndefined| Undefined { kind: kind(&e), reason: e.to_string() };
         let forms = self.pair.vertex_forms(vertex).map_err(undefined)?;
         let curvatures = forms.curvatures().map_err(undefined)?;
-        let reversed = forms.image_is_reversed();
+        let turned = (forms.four.second.certain_sign(), self.pair.star_orientation(vertex));
+        let opposite = (Some(Sign::Negative), Sign::Positive);
+        let reversed = turned == opposite || turned == (Some(Sign::Positive), Sign::Negative);
         Ok(Found { forms: forms.four, curvatures, reversed })
     }
 
     /// One entry of `values`.
-    pub fn json(
-        &self,
-        index: usize,
-        found: &Result<Found, Undefined>,
-        integrated: bool,
-    ) -> String {
+    pub fn json(&self, index: usize, found: &Result<Found, Undefined>, integrated: bool) -> String {
         let name = match self.at {
             At::Faces => "face",
             At::Vertices => "vertex",

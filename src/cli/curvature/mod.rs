@@ -14,12 +14,13 @@ use super::arguments::{At, CurvatureOptions, Layout};
 use super::failure::Failure;
 use super::input::{self, Input};
 use super::{Status, output, words};
-use crate::check::Verdict;
-use crate::construct::circumscribed_f_parallel;
+use crate::check::{self, Verdict};
+use crate::construct::{NoGaussImage, circumscribed_f_parallel};
 use crate::mesh::ExactPoints;
 use crate::mesh::file::{Coordinates, Format};
 use crate::net::{Net, Property};
 use crate::pair::{Couple, ExactPair, PairProperty};
+use crate::scalar::Rational;
 use columns::Columns;
 use element::{Elements, Row};
 use report::Report;
@@ -43,14 +44,12 @@ pub fn run(options: &CurvatureOptions, layout: Layout) -> Result<Status, Failure
             let elements = Elements { pair, at, determined: Vec::new() };
             judge(options, layout, &input, &elements, &image.file.name, remark)
         }
-        (None, At::Vertices) => match lift_is_image(&input) {
-            Ok(remark) => {
-                let pair = ExactPair::lifted(input.topology(), points(&input));
-                let elements = Elements { pair, at: At::Vertices, determined: Vec::new() };
-                judge(options, layout, &input, &elements, "the lift to the unit i-sphere", remark)
-            }
-            Err(reason) => refuse(&input, &reason, Property::ICircular, layout),
-        },
+        (None, At::Vertices) => {
+            let pair = ExactPair::lifted(input.topology(), points(&input));
+            let elements = Elements { pair, at: At::Vertices, determined: Vec::new() };
+            let remark = not_i_circular(&input);
+            judge(options, layout, &input, &elements, "the lift to the unit i-sphere", remark)
+        }
         (None, At::Faces) => {
             let mesh = input.exact();
             let bar = output::progress(mesh.topology.face_count(), "making the Gauss image");
@@ -65,11 +64,7 @@ pub fn run(options: &CurvatureOptions, layout: Layout) -> Result<Status, Failure
                     let image = "circumscribed to the unit i-sphere";
                     judge(options, layout, &input, &elements, image, None)
                 }
-                Err(reason) => {
-                    let reason = reason.map(words::exact);
-                    let reason = format!("it has no circumscribed Gauss image: {reason}");
-                    refuse(&input, &reason, Property::IConical, layout)
-                }
+                Err(reason) => refuse(&input, &reason, layout),
             }
         }
     }
@@ -82,22 +77,27 @@ fn points(input: &Input) -> ExactPoints<'_> {
     }
 }
 
-/// Whether the lift is a v-parallel image, with what is to be said of it; or why it is none.
-fn lift_is_image(input: &Input) -> Result<Option<String>, String> {
+/// What the lift of a mesh that is not i-circular stands for: its faces are not planar.
+fn not_i_circular(input: &Input) -> Option<String> {
     let topology = input.topology();
     if topology.corner_count() == 3 * topology.face_count() {
-        return Ok(None);
+        return None;
     }
     let decider = input.decider();
     let report = Net::new(topology, &decider).check(Property::ICircular);
     match report.verdict() {
-        Verdict::Refuted => {
-            let first = report.failures.first().map_or(String::new(), |e| format!(", see {e}"));
-            Err(format!("it is not i-circular{first}: its lift has no face planes"))
-        }
-        Verdict::Consistent => Ok(Some("the mesh is i-circular within its digits only".into())),
-        _ => Ok(None),
+        Verdict::Refuted => Some(format!(
+            "the mesh is not i-circular{}: H and K are those of the triangles between consecutive \
+             edges at a vertex",
+            first_of(&report)
+        )),
+        Verdict::Consistent => Some("the mesh is i-circular within its digits only".into()),
+        _ => None,
     }
+}
+
+fn first_of(report: &check::Report<Rational>) -> String {
+    report.failures.first().map_or(String::new(), |element| format!(", see {element}"))
 }
 
 /// What the pair is not, though it should be for curvatures of this kind.
@@ -112,7 +112,7 @@ fn misfit(input: &Input, image: &Input, at: At) -> Option<String> {
     let name = property.name();
     match report.verdict() {
         Verdict::Refuted => {
-            let first = report.failures.first().map_or(String::new(), |e| format!(", see {e}"));
+            let first = first_of(&report);
             Some(format!("the pair is not {name}{first}: H and K are those of the formula only"))
         }
         Verdict::Consistent => Some(format!("the pair is {name} within its digits only")),
@@ -120,28 +120,28 @@ fn misfit(input: &Input, image: &Input, at: At) -> Option<String> {
     }
 }
 
-/// Says why there is no canonical Gauss image: a result, not an error.
+/// Says why there is no circumscribed Gauss image: a result, not an error.
 fn refuse(
     input: &Input,
-    reason: &str,
-    class: Property,
+    reason: &NoGaussImage<Rational>,
     layout: Layout,
 ) -> Result<Status, Failure> {
     if layout.is_json() {
         output::print_json(&json!({
             "schema": "isogeo.no-curvature/1",
             "file": input.file.name,
-            "reason": reason,
+            "reason": reason.to_string(),
         }))?;
     } else {
         output::print(&format!(
-            "{}: {reason}\n  curvatures belong to a mesh and a Gauss image: `isogeo gauss` makes \
-             some, --gauss takes any\n",
-            input.file.name
+            "{}: it has no circumscribed Gauss image: {}\n  curvatures at faces belong to a mesh and \
+             a Gauss image: `isogeo gauss` makes some, --gauss takes any\n",
+            input.file.name,
+            reason.map(words::exact),
         ))?;
     }
     let decider = input.decider();
-    match Net::new(input.topology(), &decider).check(class).verdict() {
+    match Net::new(input.topology(), &decider).check(Property::IConical).verdict() {
         Verdict::Refuted => Ok(Status::Refuted),
         _ => Ok(Status::Open),
     }

@@ -122,7 +122,7 @@ impl Report {
             }
         };
         places(&self.complex, "with H² < K: no real principal curvatures");
-        places(&self.reversed, "with D(s) < 0: the image is turned over and says nothing of shape");
+        places(&self.reversed, "where the image is turned over and says nothing of shape");
         for (kind, found) in &self.undefined {
             places(found, &format!("undefined, {kind}"));
         }

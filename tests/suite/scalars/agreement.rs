@@ -83,12 +83,12 @@ fn bounded_integers_are_right_or_overflown() -> Result<(), String> {
 #[test]
 fn small_formulas_fit_and_large_ones_do_not() {
     let (n, bits) = (Narrow::from(i128::MAX), Wide::<2>::from(i128::MIN));
-    assert_eq!((&n - Narrow::from(1) + Narrow::from(1)).to_big(), Some(i128::MAX.into()));
-    assert!((&n + Narrow::from(1)).is_overflown());
+    assert_eq!((n - Narrow::from(1) + Narrow::from(1)).to_big(), Some(i128::MAX.into()));
+    assert!((n + Narrow::from(1)).is_overflown());
     assert!((-Narrow::from(i128::MIN)).is_overflown());
-    assert_eq!((&bits + &bits).to_big(), None);
+    assert_eq!((bits + bits).to_big(), None);
     assert_eq!((-&bits - Wide::from(1)).to_big(), Some(i128::MAX.into()));
-    assert!((&bits * &bits).is_overflown());
+    assert!((bits * bits).is_overflown());
     assert_eq!(BigInt::from(-7).to_wide::<2>(), Wide::from(-7));
     assert!((BigInt::from(1) << 128u32).to_wide::<2>().is_overflown());
 }
