@@ -5,6 +5,7 @@ mod areas;
 mod faces;
 mod images;
 mod properties;
+mod readings;
 mod refusals;
 mod values;
 mod vertices;
