@@ -6,6 +6,7 @@ mod exact;
 mod faces;
 mod images;
 mod properties;
+mod readings;
 mod refusals;
 mod values;
 mod vertices;

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use isogeo::check::Decider;
 use isogeo::mesh::file::{Coordinates, Format, read_bytes};
 use isogeo::net::{Net, Property};
+use isogeo::pair::{Couple, PairProperty};
 use isogeo::scalar::ReadAs;
 
 use super::samples;
@@ -157,8 +158,15 @@ fn judge(name: &str, format: Format, bytes: &[u8]) -> Result<(), Option<String>>
         (Coordinates::Numerals(mesh), _) => Decider::new(&mesh.points),
     };
     let net = Net::new(file.topology(), &decider);
-    for property in Property::ALL {
-        let report = net.check(property);
+    // A pair with the same points in the opposite order, as they are printed.
+    let exact = file.to_exact(ReadAs::Decimal).ok();
+    let reversed: Vec<_> =
+        exact.iter().flat_map(|mesh| mesh.points.iter().rev().cloned()).collect();
+    let both = decider.clone().followed_by(Decider::of_rationals(&reversed));
+    let couple = Couple::new(file.topology(), file.topology(), &both).expect("the same faces");
+    let mesh = Property::ALL.map(|property| net.check(property));
+    let pair = PairProperty::ALL.map(|property| couple.check(property));
+    for report in mesh.into_iter().chain(pair) {
         assert_eq!(report.worst.is_some(), !report.failures.is_empty());
         let defect = report.worst.map(|w| w.failure.defect);
         assert!(defect.is_none_or(|d| d.is_finite() && d > 0.0), "defect {defect:?}");
