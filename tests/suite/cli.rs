@@ -1,6 +1,7 @@
 //! The program, run as its users run it: what every command prints, kept as snapshots.
 
 mod contract;
+mod curvature;
 mod damage;
 mod invariance;
 mod pairs;
@@ -19,8 +20,18 @@ fn first_steps() {
 #[test]
 fn help_has_an_example() {
     let shell = Shell::new();
-    let commands =
-        ["check", "info", "convert", "dual", "gauss", "offset", "move", "completions", "man"];
+    let commands = [
+        "check",
+        "info",
+        "convert",
+        "dual",
+        "curvature",
+        "gauss",
+        "offset",
+        "move",
+        "completions",
+        "man",
+    ];
     for command in commands {
         let run = shell.run(&[command, "--help"]);
         assert_eq!(run.code, 0);

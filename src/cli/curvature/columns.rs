@@ -1,5 +1,6 @@
 //! Curvatures as the data of a mesh file.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::element::Row;
@@ -35,7 +36,8 @@ impl Columns {
         self.defined.push(defined);
     }
 
-    /// Writes the mesh with the columns; in VTU also with what it misses of its classes.
+    /// Writes the mesh with the columns; in VTU also by how much faces miss to be planar, and what
+    /// the canonical Gauss image asks for: i-circular faces, or i-conical vertices.
     pub fn write(self, path: &Path, input: &Input, at: At, layout: Layout) -> Result<(), Failure> {
         let mut mesh = input.exact();
         let Columns { mean, gauss, defined } = self;
@@ -45,15 +47,20 @@ impl Columns {
             At::Faces => mesh.data.face.extend(named),
             At::Vertices => mesh.data.vertex.extend(named),
         }
-        if Format::from_path(path) == Some(Format::Vtu) {
+        let topology = input.topology();
+        let triangles = topology.corner_count() == 3 * topology.face_count();
+        if Format::from_path(path) == Some(Format::Vtu) && !triangles {
             let decider = input.decider();
-            let net = Net::new(input.topology(), &decider);
-            let defects = |property| net.defects(property).into_iter().map(double).collect();
-            for property in [Property::Planar, Property::ICircular] {
-                mesh.data.face.insert(format!("{} defect", property.name()), defects(property));
+            let net = Net::new(topology, &decider);
+            let add = |property: Property, data: &mut BTreeMap<String, Vec<Rational>>| {
+                let defects = net.defects(property).into_iter().map(double).collect();
+                data.insert(format!("{} defect", property.name()), defects);
+            };
+            add(Property::Planar, &mut mesh.data.face);
+            match at {
+                At::Vertices => add(Property::ICircular, &mut mesh.data.face),
+                At::Faces => add(Property::IConical, &mut mesh.data.vertex),
             }
-            let conical = Property::IConical;
-            mesh.data.vertex.insert(format!("{} defect", conical.name()), defects(conical));
         }
         let options = Options { rounded: input.is_rounded(), ..Options::default() };
         if layout.is_json() {

@@ -31,8 +31,12 @@ impl Summary {
         let last = self.values.len().checked_sub(1)?;
         // The value at a fraction of the way, without interpolation.
         let at = |quarters: usize| short(self.values[(last * quarters + 2) / 4]);
-        let mut line = format!("{} … {}", at(0), at(4));
-        let _ = write!(line, "   quartiles {}, {}, {}", at(1), at(2), at(3));
+        let mut line = match (at(0), at(4)) {
+            (low, high) if low == high => low,
+            (low, high) => {
+                format!("{low} … {high}   quartiles {}, {}, {}", at(1), at(2), at(3))
+            }
+        };
         let signs = [(self.positive, "positive"), (self.zero, "zero"), (self.negative, "negative")];
         let signs = signs.iter().filter(|(n, _)| *n > 0).map(|(n, name)| format!("{n} {name}"));
         let _ = write!(line, "   {}", signs.collect::<Vec<_>>().join(", "));
@@ -46,8 +50,8 @@ fn short(x: f64) -> String {
         return "0".into();
     }
     let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
-    match rounded.abs() {
-        size if (1e-4..1e6).contains(&size) => rounded.to_string(),
+    match rounded.abs().log10().floor() as i32 {
+        -4..6 => rounded.to_string(),
         _ => format!("{rounded:e}"),
     }
 }

@@ -1,15 +1,16 @@
 //! Curvatures at faces, corners and edges (17), and of offsets (18).
 
 use isogeo::construct::inscribed_f_parallel;
-use isogeo::mesh::{FaceId, HalfEdge, Mesh, VertexId};
+use isogeo::mesh::{FaceId, FaceList, HalfEdge, Mesh, VertexId};
 use isogeo::pair::*;
-use isogeo::scalar::RationalField;
-use isogeo::space::{Plane, Transform, Vector2};
+use isogeo::scalar::{Rational, RationalField, Ring};
+use isogeo::space::{Plane, Point, Transform, Vector2};
 use proptest::prelude::*;
 
 use super::{Draw, Verdict, circular, laws, parallel_polygon, polygon, q};
 
 laws! {
+    parallel_convex_faces_have_principal_curvatures
     constructors_say_by_how_much_edges_and_planes_miss
     offsets_have_the_curvatures_of_the_formula
     offsets_with_constant_mean_curvature_come_in_pairs
@@ -26,6 +27,59 @@ fn pushed<Q: RationalField>(mesh: &mut Mesh<Q>, plane: &Plane<Q>, at: usize, by:
     let to = &mesh.points[at].top_view() + by;
     let height = &mesh.points[at].z + plane.gradient.along(by);
     mesh.points[at] = to.at_height(height);
+}
+
+fn is_convex<Q: RationalField>(mesh: &Mesh<Q>) -> bool {
+    let p = |j: usize| &mesh.points[j % mesh.points.len()];
+    (0..mesh.points.len()).all(|j| {
+        let (a, b) = ((p(j + 1) - p(j)).top_view(), (p(j + 2) - p(j + 1)).top_view());
+        a.det(&b) > Q::zero()
+    })
+}
+
+/// `minkowski`: H² ≥ K, with equality iff one is a scaled copy of the other.
+fn parallel_convex_faces_have_principal_curvatures<Q: RationalField>(
+    draw: &mut Draw<Q>,
+) -> Verdict {
+    let m = polygon(draw);
+    let k = m.points.len();
+    let other = parallel_polygon(draw, &m);
+    // Near M itself, so that S is convex, too.
+    let near = |m: &Q, s: &Q| m + s * q::<Q>(1, 400);
+    let points = m.points.iter().zip(&other.points);
+    let points =
+        points.map(|(m, s)| Point::new(near(&m.x, &s.x), near(&m.y, &s.y), near(&m.z, &s.z)));
+    let s = Mesh { points: points.collect(), ..m.clone() };
+    if !(is_convex(&m) && is_convex(&s)) {
+        return Ok(());
+    }
+    let pair = Parallel::new(&m, &s).unwrap();
+    let edges = m.topology.half_edges(FACE).map(|h| pair.edge_curvature(h).unwrap());
+    let edges: Vec<Q> = edges.collect();
+    let scaled = (1..k).all(|j| edges[j] == edges[0]);
+    let discriminant =
+        FParallel::new(&m, &s).unwrap().face_curvatures(FACE).unwrap().discriminant();
+    prop_assert!(discriminant >= Q::zero());
+    prop_assert_eq!(discriminant.is_zero(), scaled);
+    Ok(())
+}
+
+/// Without convexity it fails: a reflex corner is enough.
+#[test]
+fn a_reflex_face_may_have_no_principal_curvatures() {
+    let mesh = |corners: [(i64, i64); 4]| {
+        let mut faces = FaceList::new();
+        faces.push(0..4);
+        let points = corners.map(|(x, y)| Point::new(x, y, 0).map(|&n| Rational::from_i64(n)));
+        Mesh::new(points.to_vec(), faces).unwrap()
+    };
+    let m = mesh([(0, 0), (4, 0), (1, 1), (0, 4)]);
+    let s = mesh([(0, 0), (4, 0), (4, 0), (0, 12)]);
+    assert!(Parallel::new(&m, &s).is_ok() && !is_convex(&m));
+    let curvatures = FParallel::new(&m, &s).unwrap().face_curvatures(FACE).unwrap();
+    assert_eq!(curvatures.mean, q::<Rational>(2, 1));
+    assert_eq!(curvatures.gauss, q::<Rational>(6, 1));
+    assert!(curvatures.discriminant() < Rational::zero());
 }
 
 fn constructors_say_by_how_much_edges_and_planes_miss<Q: RationalField>(
