@@ -1,6 +1,7 @@
 //! Floor 6: exact families of meshes, and meshes made from others or from samples.
 
 pub mod accuracy;
+mod circle_pattern;
 mod circular_net;
 mod circumscribed;
 mod delaunay;
@@ -12,6 +13,7 @@ mod star;
 mod translational_net;
 mod voronoi;
 
+pub use circle_pattern::{CircleCondition, CirclePattern, Layout, NoPattern};
 pub use circular_net::circular_net;
 pub use circumscribed::{Circumscribed, circumscribed_f_parallel, circumscribed_v_parallel};
 pub use delaunay::{NoTriangulation, delaunay};
