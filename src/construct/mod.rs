@@ -13,7 +13,7 @@ mod star;
 mod translational_net;
 mod voronoi;
 
-pub use circle_pattern::{CircleCondition, CirclePattern, Layout, NoPattern};
+pub use circle_pattern::{CircleCondition, CirclePattern, Koebe, Layout, NoPattern};
 pub use circular_net::circular_net;
 pub use circumscribed::{Circumscribed, circumscribed_f_parallel, circumscribed_v_parallel};
 pub use delaunay::{NoTriangulation, delaunay};

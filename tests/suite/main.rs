@@ -1,5 +1,6 @@
 //! The one test binary: laws, values, files, reports, and the rules of the house.
 
+mod circle_pattern;
 #[cfg(feature = "cli")]
 mod cli;
 mod elimination;

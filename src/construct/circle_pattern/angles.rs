@@ -95,6 +95,28 @@ impl<'a> Circles<'a> {
         }
     }
 
+    /// The system of the harmonic function with the values x at the given radii, as a step from x:
+    /// all weights are those of equal radii.
+    pub fn harmonic(&self, x: &[f64]) -> Linearised {
+        let corners = (0..self.topology.corner_count() as u32).map(HalfEdge);
+        let line = |circle: usize| self.asked[circle] == CircleCondition::Line;
+        let mut excess = vec![0.0; x.len()];
+        let mut weights = Vec::with_capacity(self.topology.corner_count());
+        for (v, f) in corners.map(|h| self.ends(h)) {
+            let weight = if line(v) || line(f) { 0.0 } else { 0.5 };
+            let pull = weight * (x[f] - x[v]);
+            excess[v] += pull;
+            excess[f] -= pull;
+            weights.push(weight);
+        }
+        for (excess, asked) in excess.iter_mut().zip(&self.asked) {
+            if !asked.is_free() {
+                *excess = 0.0;
+            }
+        }
+        Linearised { excess, weights }
+    }
+
     /// Excess angles and weights for the logarithms x of the radii.
     pub fn linearise(&self, x: &[f64]) -> Linearised {
         let corners = (0..self.topology.corner_count() as u32).into_par_iter();

@@ -1,10 +1,10 @@
 //! The centres of a circle pattern, placed face by face.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 use super::CirclePattern;
-use crate::mesh::{Data, FaceId, HalfEdge, Mesh, VertexId};
-use crate::space::{Point, TopView};
+use crate::mesh::{FaceId, HalfEdge, VertexId};
+use crate::space::TopView;
 
 /// The centres of all circles, and how well they close.
 #[derive(Clone, Debug)]
@@ -13,6 +13,8 @@ pub struct Layout {
     pub vertices: Vec<TopView<f64>>,
     /// The centres of the face circles.
     pub faces: Vec<TopView<f64>>,
+    /// For vertices whose circle is a line, a point on it and another one.
+    pub lines: BTreeMap<VertexId, [TopView<f64>; 2]>,
     /// The largest distance between two places of one vertex that two faces find for it, as a part
     /// of its radius.
     pub gap: f64,
@@ -28,6 +30,7 @@ impl CirclePattern<'_> {
         let mut layout = Layout {
             vertices: vec![nowhere; topology.vertex_count()],
             faces: vec![nowhere; topology.face_count()],
+            lines: BTreeMap::new(),
             gap: 0.0,
         };
         let mut placed = vec![false; topology.vertex_count()];
@@ -88,45 +91,42 @@ impl CirclePattern<'_> {
         let touch = &a + &edge.scaled(&(r / (r + s)));
         let centre = &touch + &edge.turned().scaled(&(radius / length));
         layout.faces[face.index()] = centre;
-        let mut direction = (touch.y - centre.y).atan2(touch.x - centre.x);
-        let mut h = first;
-        loop {
-            // From the touching point of this edge to the next vertex, and on to the next point.
-            let next = topology.next(h);
-            let vertex = topology.origin(next);
-            let own = self.vertex_radii[vertex.index()];
-            if !own.is_finite() {
-                break;
-            }
-            let half = (own / radius).atan();
-            direction += half;
-            let distance = own.hypot(radius);
+        let begin = (touch.y - centre.y).atan2(touch.x - centre.x);
+        let side = |direction: f64, distance: f64| {
             let (sine, cosine) = direction.sin_cos();
-            let place = TopView::new(centre.x + distance * cosine, centre.y + distance * sine);
-            if placed[vertex.index()] {
-                let gap = (&place - &layout.vertices[vertex.index()]).length2().sqrt() / own;
-                layout.gap = layout.gap.max(gap);
-            } else {
-                (layout.vertices[vertex.index()], placed[vertex.index()]) = (place, true);
-            }
-            direction += half;
-            h = next;
-            if h == first {
-                break;
+            TopView::new(centre.x + distance * cosine, centre.y + distance * sine)
+        };
+        // Counter-clockwise from the edge to its target, and on; if a line is in the way, also
+        // clockwise from the edge to its origin, and on.
+        for turn in [1.0, -1.0] {
+            let mut direction = begin;
+            let mut h = first;
+            loop {
+                let next = if turn > 0.0 { topology.next(h) } else { topology.prev(h) };
+                let vertex = if turn > 0.0 { topology.target(h) } else { topology.origin(h) };
+                let own = self.vertex_radii[vertex.index()];
+                if !own.is_finite() {
+                    // It meets the face circle in its centre and where it touches this edge.
+                    layout.lines.entry(vertex).or_insert([centre, side(direction, radius)]);
+                    break;
+                }
+                // Half of the kite to the vertex, the other half to the next touching point.
+                let half = turn * (own / radius).atan();
+                direction += half;
+                let place = side(direction, own.hypot(radius));
+                if placed[vertex.index()] {
+                    let gap = (&place - &layout.vertices[vertex.index()]).length2().sqrt() / own;
+                    layout.gap = layout.gap.max(gap);
+                } else {
+                    (layout.vertices[vertex.index()], placed[vertex.index()]) = (place, true);
+                }
+                direction += half;
+                h = next;
+                if h == first {
+                    return;
+                }
             }
         }
-    }
-
-    /// The i-Koebe mesh over a layout: the vertices are the poles of the planes of their circles,
-    /// `z = (|x'|² − r²)/2`, with the radii as data `radius`.
-    pub fn lifted(&self, layout: &Layout) -> Mesh<f64> {
-        let point = |(centre, r): (&TopView<f64>, &f64)| {
-            Point::new(centre.x, centre.y, (centre.norm2() - r * r) / 2.0)
-        };
-        let points = layout.vertices.iter().zip(&self.vertex_radii).map(point).collect();
-        let mut data = Data::default();
-        data.vertex.insert("radius".into(), self.vertex_radii.clone());
-        Mesh { topology: self.topology().clone(), points, data }
     }
 
     /// The radius of a vertex circle.

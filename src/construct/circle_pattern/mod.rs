@@ -10,6 +10,7 @@
 
 mod angles;
 mod conjugate_gradients;
+mod koebe;
 mod layout;
 mod multigrid;
 mod reduced;
@@ -21,6 +22,7 @@ use std::fmt;
 use crate::mesh::{Topology, VertexId, VertexKind};
 pub use angles::CircleCondition;
 use angles::{Circles, Linearised};
+pub use koebe::Koebe;
 pub use layout::Layout;
 use multigrid::Multigrid;
 use reduced::Reduced;
@@ -156,26 +158,30 @@ impl<'a> CirclePattern<'a> {
         if let Some(circle) = asked.iter().position(|c| !positive(c)) {
             return Err(NoPattern::NotPositive(circle));
         }
-        let original = asked.clone();
+        let mut pinned = None;
         if !asked.iter().any(|c| matches!(c, CircleCondition::Radius(_))) {
             check_angle_sum(topology, &asked)?;
             // The scale is free; the angle of this circle follows from the others.
-            if let Some(circle) = asked.iter_mut().find(|c| c.is_free()) {
-                *circle = CircleCondition::Radius(1.0);
+            if let Some(circle) = asked.iter().position(|c| c.is_free()) {
+                pinned = Some((circle, asked[circle]));
+                asked[circle] = CircleCondition::Radius(1.0);
             }
         }
-        let circles = Circles::new(topology, asked);
+        let mut circles = Circles::new(topology, asked);
         // Inside of the thread pool, so that the many small parallel loops do not have to wake it up.
-        let (x, steps) = rayon::scope(|_| newton(&circles))?;
+        let Found { x, mut defect, steps } = rayon::scope(|_| newton(&circles))?;
+        if let Some((circle, condition)) = pinned {
+            circles.asked[circle] = condition;
+            defect = largest(&circles.linearise(&x).excess);
+        }
+        let asked = circles.asked;
         let radius = |(x, asked): (&f64, &CircleCondition)| match asked {
             CircleCondition::Line => f64::INFINITY,
             _ => x.exp(),
         };
-        let mut vertex_radii: Vec<f64> = x.iter().zip(&original).map(radius).collect();
+        let mut vertex_radii: Vec<f64> = x.iter().zip(&asked).map(radius).collect();
         let face_radii = vertex_radii.split_off(topology.vertex_count());
-        let circles = Circles::new(topology, original);
-        let defect = 2.0 * largest(&circles.linearise(&x).excess);
-        let asked = circles.asked;
+        let defect = 2.0 * defect;
         Ok(CirclePattern { topology, asked, vertex_radii, face_radii, defect, steps })
     }
 
@@ -219,8 +225,16 @@ fn check_angle_sum(topology: &Topology, asked: &[CircleCondition]) -> Result<(),
     Ok(())
 }
 
-/// The logarithms of the radii.
-fn newton(circles: &Circles<'_>) -> Result<(Vec<f64>, Vec<usize>), NoPattern> {
+/// Where Newton's method ended.
+struct Found {
+    /// The logarithms of the radii.
+    x: Vec<f64>,
+    /// The largest excess of a half angle.
+    defect: f64,
+    steps: Vec<usize>,
+}
+
+fn newton(circles: &Circles<'_>) -> Result<Found, NoPattern> {
     const MOST: usize = 60;
     /// A step does not change a radius by more than this factor's logarithm.
     const LONGEST: f64 = 3.0;
@@ -230,10 +244,15 @@ fn newton(circles: &Circles<'_>) -> Result<(Vec<f64>, Vec<usize>), NoPattern> {
     let mut multigrid = None;
     let mut at = circles.linearise(&x);
     let mut defect = largest(&at.excess);
-    let rounding = 4.0 * f64::EPSILON * PI;
+    // What is left of sums of a few angles of size π.
+    let rounding = 16.0 * f64::EPSILON * PI;
     while steps.len() < MOST {
         if defect <= rounding {
-            return Ok((x, steps));
+            // Angles are met in the limit, too, where radii run away and no kite is left.
+            return match reduced.stiffness(&at) > 4096.0 * rounding {
+                true => Ok(Found { x, defect, steps }),
+                false => Err(diverged(circles, &x, 2.0 * defect)),
+            };
         }
         let (matrix, right) = reduced.system(&at);
         let solver = multigrid.take().unwrap_or_else(|| Multigrid::new(&matrix));
@@ -265,7 +284,7 @@ fn newton(circles: &Circles<'_>) -> Result<(Vec<f64>, Vec<usize>), NoPattern> {
         let reached = largest(&next.1.excess);
         if reached >= defect && defect <= 1024.0 * rounding {
             // Nothing but rounding is left.
-            return Ok((x, steps));
+            return Ok(Found { x, defect, steps });
         }
         (x, at) = next;
         defect = reached;
@@ -285,19 +304,7 @@ fn start(circles: &Circles<'_>, reduced: &Reduced<'_>) -> Vec<f64> {
     if known.iter().all(|&k| k == mean) {
         return x;
     }
-    let mut at = circles.linearise(&vec![mean; x.len()]);
-    // The excess of a harmonic function: what the neighbours of known value pull.
-    at.excess.iter_mut().for_each(|e| *e = 0.0);
-    for (c, weight) in at.weights.iter().enumerate() {
-        let (v, f) = circles.ends(crate::mesh::HalfEdge(c as u32));
-        let pull = weight * (x[f] - x[v]);
-        if circles.asked[v].is_free() {
-            at.excess[v] += pull;
-        }
-        if circles.asked[f].is_free() {
-            at.excess[f] -= pull;
-        }
-    }
+    let at = circles.harmonic(&x);
     let (matrix, right) = reduced.system(&at);
     let found = conjugate_gradients::solve(&matrix, &Multigrid::new(&matrix), &right, 0.01);
     let step = reduced.expand(&found.x, &at);

@@ -118,15 +118,13 @@ fn aggregate(matrix: &Sparse<f32>) -> Vec<u32> {
         }
     }
     let roots = of.clone();
-    for i in 0..matrix.rows() {
-        if of[i] == NONE {
-            let joined = neighbours(i).filter(|&(j, _)| roots[j] != NONE);
-            match joined.min_by(|a, b| a.1.total_cmp(&b.1)) {
-                Some((j, _)) => of[i] = roots[j],
-                None => {
-                    of[i] = count;
-                    count += 1;
-                }
+    for (i, own) in of.iter_mut().enumerate().filter(|(_, own)| **own == NONE) {
+        let joined = neighbours(i).filter(|&(j, _)| roots[j] != NONE);
+        match joined.min_by(|a, b| a.1.total_cmp(&b.1)) {
+            Some((j, _)) => *own = roots[j],
+            None => {
+                *own = count;
+                count += 1;
             }
         }
     }

@@ -109,6 +109,18 @@ impl<'a> Reduced<'a> {
         self.corners(face).map(|h| at.weights[h.0 as usize]).sum()
     }
 
+    /// The smallest sum of weights at a free circle: how firmly the angles hold it.
+    pub fn stiffness(&self, at: &Linearised) -> f64 {
+        let mut sums = vec![0.0; self.circles.asked.len()];
+        for (corner, weight) in at.weights.iter().enumerate() {
+            let (v, f) = self.circles.ends(HalfEdge(corner as u32));
+            sums[v] += weight;
+            sums[f] += weight;
+        }
+        let free = sums.iter().zip(&self.circles.asked).filter(|(_, asked)| asked.is_free());
+        free.map(|(sum, _)| *sum).fold(f64::INFINITY, f64::min)
+    }
+
     /// The step of all circles from that of the unknowns.
     pub fn expand(&self, x: &[f64], at: &Linearised) -> Vec<f64> {
         let step = |circle: usize| {
