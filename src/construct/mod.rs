@@ -5,6 +5,7 @@ mod circle_pattern;
 mod circular_net;
 mod circumscribed;
 mod delaunay;
+mod discrete_power;
 pub mod gauss_image;
 mod inscribed;
 mod metric_dual;
@@ -17,6 +18,7 @@ pub use circle_pattern::{CircleCondition, CirclePattern, Koebe, Layout, NoPatter
 pub use circular_net::circular_net;
 pub use circumscribed::{Circumscribed, circumscribed_f_parallel, circumscribed_v_parallel};
 pub use delaunay::{NoTriangulation, delaunay};
+pub use discrete_power::discrete_power;
 pub use gauss_image::NoGaussImage;
 pub use inscribed::{inscribed_f_parallel, inscribed_v_parallel, lift, mean_gradient};
 pub use metric_dual::{NoDual, face_plane, metric_dual};

@@ -2,8 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
-use isogeo::construct::{CircleCondition, CirclePattern, Koebe, NoPattern, quad_patch};
+use isogeo::check::Residual;
+use isogeo::construct::{
+    CircleCondition, CirclePattern, Koebe, NoPattern, discrete_power, quad_patch,
+};
 use isogeo::mesh::{FaceList, Mesh, Topology, VertexId, VertexKind};
+use isogeo::net::planar::Coplanar;
+use isogeo::scalar::{Field, Quadratic, Rational, Ring};
 use isogeo::space::Point;
 
 /// What angles, and lengths as parts of others, may be wrong by after a few thousand roundings.
@@ -247,4 +252,50 @@ fn faces_may_have_many_corners() {
     assert!(pattern.defect < 1e-13 && pattern.layout().gap < SMALL);
     let inner = pattern.vertex_radius(VertexId(k));
     assert!(inner > 0.9 && inner < 1.0);
+}
+
+/// Residuals of planarity at all faces and of tangency at all edges.
+fn koebe_residuals<T: Field>(mesh: &Mesh<T>) -> Vec<T> {
+    let topology = &mesh.topology;
+    let point = |v: &VertexId| mesh.points[v.index()].clone();
+    let planar = topology.faces().map(|f| {
+        let corners: Vec<Point<T>> = topology.face(f).iter().map(point).collect();
+        Coplanar.eval::<T>(&corners.try_into().unwrap(), &T::one())
+    });
+    let tangent = topology.edges().map(|h| {
+        let [p, q] = [topology.origin(h), topology.target(h)].map(|v| point(&v));
+        let d = &q - &p;
+        let slope = p.top_view().position().dot(&d.top_view()) - &d.z;
+        let power = p.top_view().norm2() - T::from_i64(2) * &p.z;
+        slope.square() - d.top_view().length2() * power
+    });
+    planar.chain(tangent).collect()
+}
+
+#[test]
+fn discrete_powers_are_koebe_meshes_exactly() {
+    type Root2 = Quadratic<Rational, 2>;
+    type Root3 = Quadratic<Rational, 3>;
+    let q = Rational::from_ratio;
+    let half_root2 = Root2::new(q(0, 1), q(1, 2));
+    let power = |gamma| discrete_power(&gamma, (&half_root2, &half_root2), 3).unwrap().unwrap();
+    let mesh = power(Root2::from_ratio(1, 2));
+    assert!(koebe_residuals(&mesh).iter().all(Root2::is_zero));
+    // f(2) = 2/(2 − γ) on the axis: here 4/3, the square of the radius of the corner is 1.
+    assert_eq!((&mesh.points[4].x, &mesh.points[4].y), (&Root2::from_ratio(4, 3), &Root2::zero()));
+    assert_eq!(mesh.points[0].z, Root2::from_ratio(-1, 2));
+    // A corner that is no unit vector: the circles do not fit.
+    let long = discrete_power(&q(1, 2), (&q(1, 1), &q(1, 1)), 3).unwrap().unwrap();
+    assert!(!koebe_residuals(&long).iter().all(Rational::is_zero));
+    // Another unit vector is the corner of a Koebe mesh all the same.
+    let other = discrete_power(&q(1, 2), (&q(3, 5), &q(4, 5)), 3).unwrap().unwrap();
+    assert!(koebe_residuals(&other).iter().all(Rational::is_zero));
+
+    let (half, root) = (Root3::from_ratio(1, 2), Root3::new(q(0, 1), q(1, 2)));
+    let mesh = discrete_power(&Root3::from_ratio(2, 3), (&half, &root), 3).unwrap().unwrap();
+    assert!(koebe_residuals(&mesh).iter().all(Root3::is_zero));
+    let obtuse = discrete_power(&Root3::from_ratio(4, 3), (&-half, &root), 3).unwrap().unwrap();
+    assert!(koebe_residuals(&obtuse).iter().all(Root3::is_zero));
+    let zero = discrete_power(&q(0, 1), (&q(0, 1), &q(1, 1)), 3).unwrap();
+    assert!(zero.is_none(), "γ = 0 is no power");
 }
