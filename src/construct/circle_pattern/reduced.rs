@@ -9,13 +9,17 @@ use super::angles::{Circles, Linearised};
 use super::sparse::Sparse;
 use crate::mesh::{FaceId, HalfEdge, VertexId};
 
-/// Which circle is which unknown; fixed for all steps.
+/// Which circle is which unknown, and where in the matrix the corners of each face go; fixed for all
+/// steps.
 pub(super) struct Reduced<'a> {
     circles: &'a Circles<'a>,
-    /// The circles that are kept as unknowns.
-    kept: Vec<u32>,
     /// The unknown of every circle, or `NONE`.
     unknown: Vec<u32>,
+    /// The pattern of the matrix; every row begins with the diagonal.
+    pattern: Sparse<()>,
+    /// For every face the places of its pairs of unknown vertices, one face after the other: for
+    /// eliminated faces all ordered pairs, for others the pairs with the face itself, both ways.
+    places: Vec<u32>,
 }
 
 const NONE: u32 = u32::MAX;
@@ -26,78 +30,116 @@ const CHUNK: usize = 1024;
 impl<'a> Reduced<'a> {
     pub fn new(circles: &'a Circles<'a>) -> Self {
         let vertices = circles.topology.vertex_count();
-        let is_kept = |circle: &u32| {
-            let index = *circle as usize;
-            let small = index >= vertices && {
-                let face = FaceId((index - vertices) as u32);
+        let mut unknown = vec![NONE; circles.asked.len()];
+        let mut count = 0;
+        for (circle, unknown) in unknown.iter_mut().enumerate() {
+            let small = circle >= vertices && {
+                let face = FaceId((circle - vertices) as u32);
                 circles.topology.face(face).len() <= MOST_CORNERS
             };
-            circles.asked[index].is_free() && !small
+            if circles.asked[circle].is_free() && !small {
+                *unknown = count;
+                count += 1;
+            }
+        }
+        let mut rows: Vec<Vec<u32>> = (0..count).map(|own| vec![own]).collect();
+        let mut reduced = Reduced {
+            circles,
+            unknown,
+            pattern: Sparse { starts: vec![0], columns: Vec::new(), values: Vec::new() },
+            places: Vec::new(),
         };
-        let kept: Vec<u32> = (0..circles.asked.len() as u32).filter(is_kept).collect();
-        let mut unknown = vec![NONE; circles.asked.len()];
-        (0u32..).zip(&kept).for_each(|(i, &circle)| unknown[circle as usize] = i);
-        Reduced { circles, kept, unknown }
+        // Places within the rows first.
+        let mut within = Vec::new();
+        reduced.pairs(|row, column| {
+            let row = &mut rows[row as usize];
+            let place = row.iter().position(|&c| c == column);
+            within.push(place.unwrap_or(row.len()) as u32);
+            if place.is_none() {
+                row.push(column);
+            }
+        });
+        for row in rows {
+            reduced.pattern.columns.extend(row);
+            reduced.pattern.starts.push(reduced.pattern.columns.len() as u32);
+        }
+        let mut places = Vec::with_capacity(within.len());
+        let mut within = within.into_iter();
+        reduced.pairs(|row, _| {
+            let start = reduced.pattern.starts[row as usize];
+            places.extend(within.next().map(|place| start + place));
+        });
+        reduced.places = places;
+        reduced
+    }
+
+    /// The unknown vertices of a face, with their corners.
+    fn unknown_corners(&self, face: FaceId) -> impl Iterator<Item = (u32, HalfEdge)> + Clone {
+        let topology = self.circles.topology;
+        let first = topology.half_edges(face).next().map_or(0, |h| h.0);
+        let unknown = |(v, corner): (&VertexId, u32)| {
+            let unknown = self.unknown[v.index()];
+            (unknown != NONE).then_some((unknown, HalfEdge(corner)))
+        };
+        topology.face(face).iter().zip(first..).filter_map(unknown)
+    }
+
+    /// Row and column of every entry that a face adds to, always in the same order.
+    fn pairs(&self, mut add: impl FnMut(u32, u32)) {
+        for face in self.circles.topology.faces() {
+            let circle = self.circles.of_face(face);
+            let (own, corners) = (self.unknown[circle], self.unknown_corners(face));
+            if own != NONE {
+                for (vertex, _) in corners {
+                    add(own, vertex);
+                    add(vertex, own);
+                }
+            } else if self.circles.asked[circle].is_free() {
+                for (row, _) in corners.clone() {
+                    corners.clone().for_each(|(column, _)| add(row, column));
+                }
+            }
+        }
     }
 
     /// Matrix and right-hand side of the step.
     pub fn system(&self, at: &Linearised) -> (Sparse<f64>, Vec<f64>) {
-        let rows: Vec<(Vec<(u32, f64)>, f64)> =
-            self.kept.par_iter().with_min_len(CHUNK).map(|&circle| self.row(circle, at)).collect();
-        let mut matrix = Sparse { starts: vec![0], columns: Vec::new(), values: Vec::new() };
-        let mut right = Vec::with_capacity(rows.len());
-        for (entries, value) in rows {
-            for (column, entry) in entries {
-                matrix.columns.push(column);
-                matrix.values.push(entry);
+        let pattern = &self.pattern;
+        let mut values = vec![0.0; pattern.columns.len()];
+        let mut right = vec![0.0; pattern.rows()];
+        for (circle, &unknown) in self.unknown.iter().enumerate() {
+            if unknown != NONE {
+                right[unknown as usize] = at.excess[circle];
             }
-            matrix.starts.push(matrix.columns.len() as u32);
-            right.push(value);
         }
-        (matrix, right)
-    }
-
-    fn row(&self, circle: u32, at: &Linearised) -> (Vec<(u32, f64)>, f64) {
-        let index = circle as usize;
-        let own = self.unknown[index];
-        let mut entries: Vec<(u32, f64)> = vec![(own, 0.0)];
-        let mut right = at.excess[index];
-        let mut add = |column: u32, value: f64| match entries.iter_mut().find(|e| e.0 == column) {
-            Some(entry) => entry.1 += value,
-            None => entries.push((column, value)),
-        };
-        let vertices = self.circles.topology.vertex_count();
-        let weight = |h: HalfEdge| at.weights[h.0 as usize];
-        if index >= vertices {
-            for h in self.circles.topology.half_edges(FaceId((index - vertices) as u32)) {
-                add(own, weight(h));
-                let other = self.unknown[self.circles.ends(h).0];
-                if other != NONE {
-                    add(other, -weight(h));
+        let mut places = self.places.iter().map(|&place| place as usize);
+        let mut next = move || places.next().unwrap_or_default();
+        let diagonal = |unknown: u32| pattern.starts[unknown as usize] as usize;
+        for face in self.circles.topology.faces() {
+            let circle = self.circles.of_face(face);
+            let corners = self.unknown_corners(face);
+            let weight = |h: HalfEdge| at.weights[h.0 as usize];
+            let total: f64 = self.circles.topology.half_edges(face).map(weight).sum();
+            corners.clone().for_each(|(vertex, h)| values[diagonal(vertex)] += weight(h));
+            if self.unknown[circle] != NONE {
+                values[diagonal(self.unknown[circle])] += total;
+                for (_, h) in corners {
+                    values[next()] -= weight(h);
+                    values[next()] -= weight(h);
                 }
-            }
-            return (entries, right);
-        }
-        for &h in self.circles.at_vertex(VertexId(circle)) {
-            add(own, weight(h));
-            let (_, face) = self.circles.ends(h);
-            if self.unknown[face] != NONE {
-                add(self.unknown[face], -weight(h));
-            } else if self.circles.asked[face].is_free() {
-                let diagonal = self.diagonal(face, at);
-                if diagonal > 0.0 {
-                    let share = weight(h) / diagonal;
-                    right += share * at.excess[face];
-                    for other in self.corners(face) {
-                        let column = self.unknown[self.circles.ends(other).0];
-                        if column != NONE {
-                            add(column, -share * weight(other));
-                        }
+            } else if self.circles.asked[circle].is_free() {
+                let inverse = if total > 0.0 { total.recip() } else { 0.0 };
+                for (row, h) in corners.clone() {
+                    let share = weight(h) * inverse;
+                    right[row as usize] += share * at.excess[circle];
+                    for (_, other) in corners.clone() {
+                        values[next()] -= share * weight(other);
                     }
                 }
             }
         }
-        (entries, right)
+        let (starts, columns) = (pattern.starts.clone(), pattern.columns.clone());
+        (Sparse { starts, columns, values }, right)
     }
 
     fn corners(&self, face: usize) -> impl Iterator<Item = HalfEdge> {
