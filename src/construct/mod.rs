@@ -7,8 +7,10 @@ mod delaunay;
 pub mod gauss_image;
 mod inscribed;
 mod metric_dual;
+mod moebius_image;
 mod spread;
 mod star;
+pub mod transfer;
 mod translational_net;
 mod voronoi;
 
@@ -18,6 +20,7 @@ pub use delaunay::{NoTriangulation, delaunay};
 pub use gauss_image::NoGaussImage;
 pub use inscribed::{inscribed_f_parallel, inscribed_v_parallel, lift, mean_gradient};
 pub use metric_dual::{NoDual, face_plane, metric_dual};
+pub use moebius_image::{VertexAtInfinity, moebius_image};
 pub use translational_net::translational_net;
 pub use voronoi::voronoi_areas;
 
