@@ -13,4 +13,5 @@ mod pairs;
 mod scalars;
 mod space;
 mod topology;
+mod transfer;
 mod triangulate;
