@@ -7,15 +7,16 @@ use super::failure::Failure;
 use super::input::{self, Input};
 use super::numbers::numbers;
 use super::{Status, output, words};
-use crate::check::Verdict;
+use crate::check::{Decider, Verdict};
 use crate::construct::transfer::{
-    EuclideanImage, NoTransfer, circular_image, conical_image, edge_offset_image, oriented_planes,
-    stored_planes,
+    EuclideanImage, NoTransfer, circular_image, conical_image, edge_offset_image, observed_image,
+    oriented_planes, stored_planes,
 };
-use crate::mesh::Mesh;
 use crate::mesh::file::Options;
+use crate::mesh::{FaceId, Mesh};
 use crate::net::{Net, Property};
-use crate::scalar::{Rational, Ring};
+use crate::scalar::{Approx, Numeral, Rational, Ring};
+use crate::space::Point;
 
 /// The name under which meshes keep the radii of their vertex circles.
 const RADIUS: &str = "radius";
@@ -46,19 +47,19 @@ struct Found {
     image: Mesh<Rational>,
     gauss: Option<Mesh<Rational>>,
     kind: &'static str,
-    /// How many faces run against their oriented planes.
-    turned: usize,
+    /// The faces that run against their oriented planes.
+    turned: Vec<FaceId>,
 }
 
 impl Found {
     fn new(image: EuclideanImage<Rational>, kind: &'static str) -> Found {
-        let turned = image.turned_faces().len();
+        let turned = image.turned_faces();
         Found { image: image.mesh, gauss: Some(image.gauss), kind, turned }
     }
 
     /// Whether some faces, but not all, run against their planes.
     fn is_singular(&self) -> bool {
-        self.turned > 0 && self.turned < self.image.topology.face_count()
+        !self.turned.is_empty() && self.turned.len() < self.image.topology.face_count()
     }
 }
 
@@ -90,7 +91,7 @@ fn euclidean(options: &TransferOptions, mesh: &Mesh<Rational>) -> Result<Transfe
 fn isotropic(mesh: &Mesh<Rational>) -> Transferred {
     let planes = stored_planes(mesh).unwrap_or_else(|| oriented_planes(mesh))?;
     let image = circular_image(mesh, &planes)?;
-    Ok(Found { image, gauss: None, kind: "i-circular", turned: 0 })
+    Ok(Found { image, gauss: None, kind: "i-circular", turned: Vec::new() })
 }
 
 fn write(found: &Found, options: &TransferOptions, layout: Layout) -> Result<Status, Failure> {
@@ -98,8 +99,9 @@ fn write(found: &Found, options: &TransferOptions, layout: Layout) -> Result<Sta
     if let (Some(gauss), Some(path)) = (&found.gauss, &options.gauss) {
         crate::mesh::file::write(path, gauss, &Options::default())?;
     }
-    let (faces, turned) = (found.image.topology.face_count(), found.turned);
-    let said = json!({ "kind": found.kind, "turned_faces": turned });
+    let (faces, turned) = (found.image.topology.face_count(), found.turned.len());
+    let list: Vec<u32> = found.turned.iter().map(|f| f.0).collect();
+    let said = json!({ "kind": found.kind, "turned_faces": list });
     output::write_saying(path, &found.image, &Options::default(), layout, [("transfer", said)])?;
     if !layout.is_json() {
         let kind = found.kind;
@@ -125,28 +127,46 @@ fn refuse(
 ) -> Result<Status, Failure> {
     let undefined = reason.is_undefined();
     let status = if !undefined && is_refuted(to, input) { Status::Refuted } else { Status::Open };
+    let observed = match reason {
+        NoTransfer::Irrational { .. } => observed_defect(&input.exact()),
+        _ => None,
+    };
     if layout.is_json() {
         output::print_json(&json!({
             "schema": "isogeo.no-transfer/1",
             "file": input.file.name,
             "to": match to { Space::Euclidean => "euclidean", Space::Isotropic => "isotropic" },
             "reason": reason.to_string(),
+            "observed_defect": observed,
         }))?;
     } else {
-        let hint = match (reason, status) {
-            (NoTransfer::Irrational { .. }, _) => {
-                "\n  only meshes with rational unit normals have an exact image; what doubles would \
-                 show is observed, not proved"
-            }
-            (_, Status::Open) if !undefined => {
-                "\n  it may exist within the digits; it is made from the numbers as they are printed"
-            }
-            _ => "",
-        };
+        let mut hint = String::new();
+        if status == Status::Open && !undefined {
+            hint += "\n  it may exist within the digits; it is made from the numbers as they are printed";
+        }
+        if let Some(defect) = observed.map(words::defect) {
+            hint += &format!(
+                "\n  observed in doubles: the image is i-circular up to a defect of {defect}"
+            );
+        }
         let (name, reason) = (&input.file.name, reason.map(words::exact));
         output::print(&format!("{name}: no image: {reason}{hint}\n"))?;
     }
     Ok(status)
+}
+
+/// How far what doubles show of the image in isotropic space is from being i-circular; `None` where
+/// there is nothing to see.
+fn observed_defect(mesh: &Mesh<Rational>) -> Option<f64> {
+    let image = observed_image(&mesh.map(Approx::to_f64)).ok()?;
+    let exact = |p: &Point<f64>| {
+        let [x, y, z] = p.coordinates().map(|x| Numeral::from_f64(*x).map(|n| n.value()));
+        Some(Point::new(x?, y?, z?))
+    };
+    let points = image.points.iter().map(exact).collect::<Option<Vec<_>>>()?;
+    let decider = Decider::of_rationals(&points);
+    let report = Net::new(&image.topology, &decider).check(Property::ICircular);
+    report.worst.map(|worst| worst.failure.defect)
 }
 
 /// Whether the class of mesh that has images is refuted, whatever the unprinted digits were.

@@ -154,14 +154,14 @@ fn degenerate(mesh: &Mesh<Q>) -> bool {
     mesh.topology.edges().map(points).any(|(a, b)| mesh.points[a] == mesh.points[b])
 }
 
-/// The i-isothermic Enneper mesh over a square grid with unit edges, with the radii of its vertex
+/// The i-isothermic Enneper mesh over a square grid with unit edges, beside its centre, with the radii of its vertex
 /// circles (theory (b), h = 1).
-fn enneper(rows: usize, columns: usize, from: i64) -> (Mesh<Q>, Vec<Q>) {
+pub fn enneper<Q: RationalField>(rows: usize, columns: usize) -> (Mesh<Q>, Vec<Q>) {
     let half = |k: i64| Q::from_ratio(2 * k + 1, 2);
     let (mut points, mut radii) = (Vec::new(), Vec::new());
     for i in 0..=rows as i64 {
         for j in 0..=columns as i64 {
-            let (x, y) = (half(i + from), half(j));
+            let (x, y) = (half(i + 1), half(j));
             let (x2, y2) = (x.square(), y.square());
             let twelfth = Q::from_ratio(1, 12);
             let third = Q::from_ratio(1, 3);
@@ -179,7 +179,7 @@ fn enneper(rows: usize, columns: usize, from: i64) -> (Mesh<Q>, Vec<Q>) {
 /// `remark-2-edge-offset`: planar faces, edges parallel to those of S, which touch the unit sphere.
 #[test]
 fn edge_offset_images() {
-    let (mesh, mut radii) = enneper(5, 4, 1);
+    let (mesh, mut radii) = enneper::<Q>(5, 4);
     assert_eq!(verdict(&mesh, Property::Planar), Verdict::Proved);
     assert_eq!(verdict(&mesh, Property::ICircular), Verdict::Refuted);
     let image = edge_offset_image(&mesh, &radii).expect("an edge-offset mesh");
@@ -213,7 +213,7 @@ fn edge_offset_images() {
 /// Laguerre image of the edge-offset mesh.
 #[test]
 fn incircles_move_as_cones() {
-    let (mesh, radii) = enneper(3, 3, 1);
+    let (mesh, radii) = enneper::<Q>(3, 3);
     let image = edge_offset_image(&mesh, &radii).expect("an edge-offset mesh");
     let map = LaguerreTransformation::from(&inversion());
     let moved = |cone: Cone<Q>| map.map_cone(&cone).expect("a finite vertex");

@@ -31,11 +31,39 @@ pub fn circular_image<T: Field>(
             return Err(NoTransfer::NotConical { vertex, residual });
         }
     }
+    image_of_planes(mesh, planes)
+}
+
+/// The vertices are the images of the planes under (12), whatever they fit.
+fn image_of_planes<T: Field>(
+    mesh: &Mesh<T>,
+    planes: &[OrientedPlane<T>],
+) -> Result<Mesh<T>, NoTransfer<T>> {
     let image = |(face, plane): (FaceId, &OrientedPlane<T>)| {
         plane.to_isotropic().map_err(|_| NoTransfer::SouthPole(face))
     };
     let points = mesh.topology.faces().zip(planes).map(image).collect::<Result<Vec<_>, _>>()?;
     Ok(Mesh { topology: mesh.topology.dual()?.topology, points, data: Data::default() })
+}
+
+/// What doubles show of the [`circular_image`] of any Euclidean mesh, with normals along the vector
+/// areas: an observation, since a rounded unit normal is none.
+///
+/// # Errors
+/// [`NoTransfer::NoNormal`] and the like; nothing is found to be not planar or not conical.
+pub fn observed_image(mesh: &Mesh<f64>) -> Result<Mesh<f64>, NoTransfer<f64>> {
+    let plane = |face: FaceId| {
+        let Vector3 { x, y, z } = vector_area(mesh, face);
+        let length = x.hypot(y).hypot(z);
+        let scale = length.try_inv().ok_or(NoTransfer::NoNormal(face))?;
+        let normal = Vector3::new(x * scale, y * scale, z * scale);
+        let through = OrientedPlane::trusted(normal.clone(), 0.0);
+        let corners = mesh.topology.face(face);
+        let sum: f64 = corners.iter().map(|v| through.distance(&mesh.points[v.index()])).sum();
+        Ok(OrientedPlane::trusted(normal, -sum / corners.len() as f64))
+    };
+    let planes = mesh.topology.faces().map(plane).collect::<Result<Vec<_>, NoTransfer<f64>>>()?;
+    image_of_planes(mesh, &planes)
 }
 
 /// The first volume that is not 0 of a tetrahedron of three different unit normals and another.

@@ -16,7 +16,7 @@ use std::fmt;
 use crate::mesh::{FaceId, NoPlane, TopologyError, VertexId};
 
 pub use euclidean::{EuclideanImage, conical_image, edge_offset_image};
-pub use isotropic::{circular_image, oriented_planes, stored_planes};
+pub use isotropic::{circular_image, observed_image, oriented_planes, stored_planes};
 
 /// The names of the data on faces that hold the oriented planes `n₁x + n₂y + n₃z + h = 0`.
 pub const PLANE_DATA: [&str; 4] = ["n1", "n2", "n3", "h"];

@@ -24,7 +24,7 @@ impl<T> OrientedPlane<T> {
     }
 
     /// The plane with a normal that is known to have length 1.
-    pub(super) const fn trusted(normal: Vector3<T>, height: T) -> Self {
+    pub(crate) const fn trusted(normal: Vector3<T>, height: T) -> Self {
         OrientedPlane { normal, height }
     }
 }
