@@ -315,7 +315,7 @@ circle with centre c and squared radius r² (negative for an imaginary one); its
 height 0. A vertex over c has no image, which is an error; a face whose circle passes through c
 becomes vertical.
 --sphere: z goes to 2 s(x, y) − z, the inversion at the i-sphere s = A(x² + y²)/2 + Bx + Cy + D.
-Data on elements are left out. Only i-circular faces stay planar.
+Data on elements are left out. Of planar faces, in general only i-circular ones stay planar.
 Examples:
   isogeo invert shell.iso.json --at 1/2,3 --radius2 4 -o inverted.iso.json
   isogeo invert shell.iso.json --sphere 1,0,0,0 -o reflected.iso.json")]
@@ -352,9 +352,11 @@ A vertex (a, b, c) becomes the plane with unit normal n = (2a, 2b, 1 − a² −
 n·x + 2c/(1 + a² + b²) = 0 (12), a face becomes the vertex of the cone of revolution that belongs to
 its circle: the circumcircle, or the circle orthogonal to touching circles around the vertices whose
 radii stand as data on vertices under 'radius'. A conical mesh keeps its planes exactly, as data on
-faces n1, n2, n3, h. With --to isotropic these are used, or planes computed from the vertices whose
-unit normals must be rational. That there is no image is a result: exit code 1 if it is refuted, else
-3; the exit code is 3 also if faces run against their planes, so that only other offsets are conical.
+faces n1, n2, n3, h: the unit normals are rational. The side of the normals is that of positive
+distance. With --to isotropic these planes are used, or others that are computed from the vertices,
+if their unit normals are rational.
+That there is no image is a result: exit code 1 if it is refuted, else 3. The exit code is 3, too, if
+some faces run against their planes: then other offsets are conical meshes, this one is not.
 Examples:
   isogeo transfer shell.iso.json --to euclidean -o conical.iso.json --gauss sphere.iso.json
   isogeo transfer conical.iso.json --to isotropic -o circular.iso.json")]

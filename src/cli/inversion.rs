@@ -24,7 +24,7 @@ pub fn run(options: &InvertOptions, layout: Layout) -> Result<Status, Failure> {
     })?;
     let write = Options { rounded: input.is_rounded(), ..Options::default() };
     let dropped = mesh.data.vertex.len() + mesh.data.face.len() > 0;
-    let said = dropped.then(|| ("data_kept", json!(false)));
+    let said = dropped.then_some(("data_kept", json!(false)));
     output::write_saying(&options.output.output, &image, &write, layout, said)?;
     if dropped && !layout.is_json() {
         output::print("  the data on elements are left out: they do not belong to the image\n")?;

@@ -57,7 +57,7 @@ pub fn observed_image(mesh: &Mesh<f64>) -> Result<Mesh<f64>, NoTransfer<f64>> {
         let length = x.hypot(y).hypot(z);
         let scale = length.try_inv().ok_or(NoTransfer::NoNormal(face))?;
         let normal = Vector3::new(x * scale, y * scale, z * scale);
-        let through = OrientedPlane::trusted(normal.clone(), 0.0);
+        let through = OrientedPlane::trusted(normal, 0.0);
         let corners = mesh.topology.face(face);
         let sum: f64 = corners.iter().map(|v| through.distance(&mesh.points[v.index()])).sum();
         Ok(OrientedPlane::trusted(normal, -sum / corners.len() as f64))
