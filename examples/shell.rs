@@ -8,11 +8,11 @@ use std::error::Error;
 use std::num::NonZeroU16;
 use std::path::Path;
 
-use isogeo::construct::translational_net;
+use isogeo::construct::{moebius_image, translational_net};
 use isogeo::mesh::Mesh;
 use isogeo::mesh::file::{Options, write};
-use isogeo::scalar::{Field, Rational, Ring};
-use isogeo::space::Point;
+use isogeo::scalar::{Field, Rational};
+use isogeo::space::{Circle, CylindricalSphere, MoebiusTransformation, TopView};
 
 /// A translational net `z = f(x) + g(y)` over a square grid, which is i-circular, and its image
 /// under the inversion `p ↦ c + 36 (p − c)/|p' − c'|²`, which keeps circles of the top view and planes
@@ -23,13 +23,10 @@ pub fn shell() -> Result<Mesh<Rational>, Box<dyn Error>> {
     let arch: Vec<_> = (-6..=6).map(|i| (number(i, 2), number(36 - i * i, 24))).collect();
     let wave: Vec<_> = (-8..=8).map(|j| (number(j, 2), number(j * j * j - 48 * j, 480))).collect();
     let net = translational_net(&arch, &wave)?;
-    let (cx, cy) = (number(-17, 2), number(3, 1));
-    let invert = |p: &Point<Rational>| {
-        let (x, y) = (&p.x - &cx, &p.y - &cy);
-        let factor = number(36, 1) / (x.square() + y.square());
-        Point::new(&cx + x * &factor, &cy + y * &factor, &p.z * &factor)
-    };
-    Ok(Mesh { points: net.points.iter().map(invert).collect(), ..net })
+    let circle = Circle::new(TopView::new(number(-17, 2), number(3, 1)), number(36, 1));
+    let cylinder = CylindricalSphere::new(circle)?;
+    let inversion = MoebiusTransformation::inversion_at_cylinder(&cylinder, &number(0, 1));
+    Ok(moebius_image(&net, &inversion)?)
 }
 
 /// The shell with the height of vertex 100 raised by a millionth.

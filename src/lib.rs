@@ -17,12 +17,12 @@
 //! | module | what is there |
 //! | --- | --- |
 //! | [`scalar`] | numbers: everything above is generic over them |
-//! | [`space`] | isotropic 3-space: points, planes, duality, spheres, circles, motions |
+//! | [`space`] | isotropic 3-space: points, planes, duality, spheres, circles, motions; Laguerre geometry |
 //! | [`mesh`] | combinatorics without coordinates, data on elements, files |
 //! | [`check`] | from residuals to verdicts |
 //! | [`net`] | classes of mesh: planar, i-circular, i-conical, ... |
 //! | [`pair`] | pairs of meshes: parallel, f-parallel, v-parallel; curvatures, linear spaces |
-//! | [`construct`] | exact families, the metric dual, Gauss images, Delaunay meshes of samples |
+//! | [`construct`] | exact families, the metric dual, Gauss images, images in Euclidean space, Delaunay meshes of samples |
 //!
 //! # Example
 //!

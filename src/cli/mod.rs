@@ -10,10 +10,12 @@ mod failure;
 mod gauss;
 mod info;
 mod input;
+mod inversion;
 mod motion;
 mod numbers;
 mod offset;
 mod output;
+mod transfer;
 mod triangulate;
 mod usage;
 mod words;
@@ -87,6 +89,8 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Gauss(options) => gauss::run(&options, layout),
         Command::Offset(options) => offset::run(&options, layout),
         Command::Move(options) => motion::run(&options, layout),
+        Command::Invert(options) => inversion::run(&options, layout),
+        Command::Transfer(options) => transfer::run(&options, layout),
         Command::Triangulate(options) => triangulate::run(&options, layout),
         Command::Accuracy(options) => accuracy::run(&options, layout),
         Command::Completions { shell } => {

@@ -9,8 +9,10 @@ mod discrete_power;
 pub mod gauss_image;
 mod inscribed;
 mod metric_dual;
+mod moebius_image;
 mod spread;
 mod star;
+pub mod transfer;
 mod translational_net;
 mod voronoi;
 
@@ -22,6 +24,7 @@ pub use discrete_power::discrete_power;
 pub use gauss_image::NoGaussImage;
 pub use inscribed::{inscribed_f_parallel, inscribed_v_parallel, lift, mean_gradient};
 pub use metric_dual::{NoDual, face_plane, metric_dual};
+pub use moebius_image::{VertexAtInfinity, moebius_image};
 pub use translational_net::translational_net;
 pub use voronoi::voronoi_areas;
 

@@ -33,6 +33,22 @@ pub trait RationalField: Field + Ordered + Approx + Display {
         Q::from_fraction(self.numerator(), self.denominator()).unwrap_or_else(Q::zero)
     }
 
+    /// The square root that is not negative, if it is rational.
+    ///
+    /// ```
+    /// use isogeo::scalar::{Field, Rational, RationalField};
+    /// assert_eq!(Rational::from_ratio(4, 9).root(), Some(Rational::from_ratio(2, 3)));
+    /// assert_eq!(Rational::from_ratio(-4, 9).root().or(Rational::from_ratio(2, 1).root()), None);
+    /// ```
+    fn root(&self) -> Option<Self> {
+        let (p, q) = (self.numerator(), self.denominator());
+        if p.is_negative() {
+            return None;
+        }
+        let root = Self::from_fraction(p.sqrt(), q.sqrt())?;
+        (root.square() == *self).then_some(root)
+    }
+
     /// Numerator and denominator where both fit 64 bits.
     fn small_fraction(&self) -> Option<(i64, i64)>;
 }

@@ -18,6 +18,16 @@ pub enum SpaceError {
     NotARotation,
     /// A scaling with a factor 0.
     ZeroFactor,
+    /// A matrix R with `Rᵀ G R ≠ k G`.
+    NotAnIsometry,
+    /// A reflection at a vector v with `⟨v, v⟩ = 0`.
+    IsotropicVector,
+    /// A normal n with `n·n ≠ 1`.
+    NotAUnitNormal,
+    /// An oriented plane with the normal (0, 0, −1), which (12) sends to infinity.
+    SouthPole,
+    /// The image passes through the centre of a transformation, or lies at infinity.
+    AtInfinity,
 }
 
 impl fmt::Display for SpaceError {
@@ -29,6 +39,11 @@ impl fmt::Display for SpaceError {
             SpaceError::ZeroDirection => "the direction in the top view is 0",
             SpaceError::NotARotation => "c² + s² is not 1",
             SpaceError::ZeroFactor => "a factor of the scaling is 0",
+            SpaceError::NotAnIsometry => "the matrix does not keep the inner product",
+            SpaceError::IsotropicVector => "the vector is isotropic",
+            SpaceError::NotAUnitNormal => "the normal does not have length 1",
+            SpaceError::SouthPole => "the normal is (0, 0, −1)",
+            SpaceError::AtInfinity => "the image lies at infinity",
         })
     }
 }

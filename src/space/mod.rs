@@ -9,6 +9,8 @@
 //! | [`ParabolicSphere`], [`CylindricalSphere`], [`MoebiusSphere`] | i-spheres, i-M-spheres |
 //! | [`ICircle`], [`ParabolicCircle`], [`Circle`] | i-circles; circles of the top view |
 //! | [`Motion`], [`Rotation`], [`Scaling`] | i-motions (1) and similarities; [`Transform`] applies them |
+//! | [`MoebiusTransformation`], [`Similarity`] | i-M-transformations, and the 4-space of spheres that they act on |
+//! | [`laguerre`] | oriented planes, spheres and cones of Euclidean space, in the isotropic model (12) |
 //! | [`Graph`], [`Jet2`], [`Hessian`] | smooth surfaces `z = f(x, y)` and their curvatures (4)–(11) |
 //! | [`Polynomial`], [`ParametricSurface`] | two classes of such surfaces with exact jets |
 //!
@@ -21,6 +23,8 @@ mod duality;
 mod error;
 mod expression;
 mod gradient;
+pub mod laguerre;
+mod moebius;
 mod motion;
 mod parabolic_circle;
 mod parametric;
@@ -28,6 +32,7 @@ mod plane;
 mod point;
 mod polynomial;
 mod scaling;
+mod similarity;
 mod sphere;
 mod surface;
 
@@ -38,6 +43,7 @@ pub use duality::Dual;
 pub use error::SpaceError;
 pub use expression::{Expression, ExpressionError};
 pub use gradient::Gradient;
+pub use moebius::{IsotropicModel, MoebiusTransformation};
 pub use motion::{Motion, Rotation};
 pub use parabolic_circle::ParabolicCircle;
 pub use parametric::ParametricSurface;
@@ -45,5 +51,6 @@ pub use plane::{IsotropicPlane, Plane};
 pub use point::{Point, TopView, Vector2, Vector3};
 pub use polynomial::Polynomial;
 pub use scaling::Scaling;
+pub use similarity::{Model, Similarity};
 pub use sphere::{CylindricalSphere, MoebiusSphere, ParabolicSphere};
 pub use surface::{Graph, Hessian, Jet2};

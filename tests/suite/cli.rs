@@ -7,6 +7,7 @@ mod invariance;
 mod pairs;
 mod samples;
 mod shell;
+mod spheres;
 
 use insta::assert_snapshot;
 
@@ -29,6 +30,8 @@ fn help_has_an_example() {
         "gauss",
         "offset",
         "move",
+        "invert",
+        "transfer",
         "completions",
         "man",
     ];

@@ -14,4 +14,5 @@ mod pairs;
 mod scalars;
 mod space;
 mod topology;
+mod transfer;
 mod triangulate;

@@ -7,6 +7,8 @@ mod curvature;
 mod draw;
 mod dual;
 mod incidence;
+mod laguerre;
+mod moebius;
 mod motions;
 
 pub(crate) use draw::laws;

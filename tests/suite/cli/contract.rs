@@ -120,7 +120,9 @@ fn completions_and_manual() {
     }
     let manual = shell.run(&["man"]);
     assert_eq!(manual.code, 0);
-    for command in ["check", "info", "convert", "dual", "gauss", "offset", "move"] {
+    for command in
+        ["check", "info", "convert", "dual", "gauss", "offset", "move", "invert", "transfer"]
+    {
         assert!(manual.out.contains(&format!("isogeo\\-{command}")), "{command}");
     }
 }

@@ -99,6 +99,18 @@ impl<Q: RationalField> Draw<Q> {
         Scaling::new(self.non_zero(), self.non_zero()).unwrap()
     }
 
+    /// An i-M-transformation from generators of every kind.
+    pub fn moebius(&mut self) -> MoebiusTransformation<Q> {
+        let inversion = |draw: &mut Self| {
+            MoebiusTransformation::inversion_at_cylinder(&draw.cylinder(), &draw.number())
+        };
+        inversion(self)
+            .then(&(&self.motion()).into())
+            .then(&MoebiusTransformation::inversion_at(&self.sphere()))
+            .then(&(&self.scaling()).into())
+            .then(&inversion(self))
+    }
+
     /// A polynomial of degree 3.
     pub fn polynomial(&mut self) -> Polynomial<Q> {
         let degrees = (0..=3).flat_map(|n| (0..=n).map(move |i| (i, n - i)));
