@@ -1,23 +1,34 @@
 //! Floor 6: exact families of meshes, and meshes made from others or from samples.
 
 pub mod accuracy;
+pub mod christoffel;
 mod circular_net;
 mod circumscribed;
 mod delaunay;
 pub mod gauss_image;
+pub mod hexagonal;
 mod inscribed;
+mod koebe;
 mod metric_dual;
+pub mod minimal;
+mod packing;
+pub mod rotational;
 mod spread;
 mod star;
 mod translational_net;
 mod voronoi;
 
+pub use christoffel::{
+    ChristoffelDual, NoChristoffelDual, christoffel_by_diagonals, christoffel_by_radii,
+};
 pub use circular_net::circular_net;
 pub use circumscribed::{Circumscribed, circumscribed_f_parallel, circumscribed_v_parallel};
 pub use delaunay::{NoTriangulation, delaunay};
 pub use gauss_image::NoGaussImage;
 pub use inscribed::{inscribed_f_parallel, inscribed_v_parallel, lift, mean_gradient};
+pub use koebe::{face_circle, koebe_mesh, schramm_residual, vertex_circles};
 pub use metric_dual::{NoDual, face_plane, metric_dual};
+pub use packing::{ThroughCentre, inverted_packing, polar_packing, square_packing};
 pub use translational_net::translational_net;
 pub use voronoi::voronoi_areas;
 

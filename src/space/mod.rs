@@ -7,7 +7,7 @@
 //! | [`ContactElement`] | a point with a plane through it |
 //! | [`Dual`] | metric duality: points and planes, i-distance and i-angle |
 //! | [`ParabolicSphere`], [`CylindricalSphere`], [`MoebiusSphere`] | i-spheres, i-M-spheres |
-//! | [`ICircle`], [`ParabolicCircle`], [`Circle`] | i-circles; circles of the top view |
+//! | [`ICircle`], [`ParabolicCircle`], [`Circle`], [`OrientedCircle`] | i-circles; circles of the top view, also with signs |
 //! | [`Motion`], [`Rotation`], [`Scaling`] | i-motions (1) and similarities; [`Transform`] applies them |
 //! | [`Graph`], [`Jet2`], [`Hessian`] | smooth surfaces `z = f(x, y)` and their curvatures (4)–(11) |
 //! | [`Polynomial`], [`ParametricSurface`] | two classes of such surfaces with exact jets |
@@ -22,6 +22,7 @@ mod error;
 mod expression;
 mod gradient;
 mod motion;
+mod oriented_circle;
 mod parabolic_circle;
 mod parametric;
 mod plane;
@@ -39,6 +40,7 @@ pub use error::SpaceError;
 pub use expression::{Expression, ExpressionError};
 pub use gradient::Gradient;
 pub use motion::{Motion, Rotation};
+pub use oriented_circle::OrientedCircle;
 pub use parabolic_circle::ParabolicCircle;
 pub use parametric::ParametricSurface;
 pub use plane::{IsotropicPlane, Plane};
