@@ -3,6 +3,7 @@
 mod accuracy;
 mod arguments;
 mod check;
+mod christoffel;
 mod convert;
 mod curvature;
 mod dual;
@@ -10,6 +11,7 @@ mod failure;
 mod gauss;
 mod info;
 mod input;
+mod make;
 mod motion;
 mod numbers;
 mod offset;
@@ -86,6 +88,8 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Curvature(options) => curvature::run(&options, layout),
         Command::Gauss(options) => gauss::run(&options, layout),
         Command::Offset(options) => offset::run(&options, layout),
+        Command::Christoffel(options) => christoffel::run(&options, layout),
+        Command::Make(options) => make::run(&options, layout),
         Command::Move(options) => motion::run(&options, layout),
         Command::Triangulate(options) => triangulate::run(&options, layout),
         Command::Accuracy(options) => accuracy::run(&options, layout),

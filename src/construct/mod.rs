@@ -5,6 +5,7 @@ pub mod christoffel;
 mod circular_net;
 mod circumscribed;
 mod delaunay;
+pub mod family;
 pub mod gauss_image;
 pub mod hexagonal;
 mod inscribed;
