@@ -50,6 +50,16 @@ pub enum Reason {
     VerticalImage(FaceId),
     /// The signed area of the top view of the face is zero, so that it has no curvature.
     ZeroArea(FaceId),
+    /// The face is no quad.
+    NoQuad(FaceId),
+    /// Three corners of the face lie on a line in the top view.
+    StraightCorner(FaceId),
+    /// The lift of the face to the unit i-sphere is not planar.
+    NoLift(FaceId),
+    /// An odd number of faces meet at the vertex, so that rows and columns are not told apart.
+    OddValence,
+    /// More faces meet at the vertex than are looked at.
+    HighValence,
 }
 
 impl fmt::Display for Reason {
@@ -79,6 +89,15 @@ impl fmt::Display for Reason {
             Reason::ZeroArea(face) => {
                 write!(f, "the area of face {} in the top view is 0", face.0)
             }
+            Reason::NoQuad(face) => write!(f, "face {} is no quad", face.0),
+            Reason::StraightCorner(face) => {
+                write!(f, "three corners of face {} lie on a line in the top view", face.0)
+            }
+            Reason::NoLift(face) => {
+                write!(f, "the lift of face {} to the unit i-sphere is not planar", face.0)
+            }
+            Reason::OddValence => write!(f, "an odd number of faces meet there"),
+            Reason::HighValence => write!(f, "more than 16 faces meet there"),
             Reason::NotConvex => write!(
                 f,
                 "the top view is no disc with a convex boundary here, so that edges alone do not decide"

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::construct::family::Family;
 use crate::scalar::ReadAs;
 
 /// Discrete surfaces in isotropic geometry, checked exactly.
@@ -48,6 +49,8 @@ pub enum Command {
     Curvature(CurvatureOptions),
     Gauss(GaussOptions),
     Offset(OffsetOptions),
+    Christoffel(ChristoffelOptions),
+    Make(MakeOptions),
     Move(MoveOptions),
     Invert(InvertOptions),
     Transfer(TransferOptions),
@@ -100,7 +103,10 @@ pub struct InputOptions {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Properties: planar, i-circular, i-conical, inscribed, circumscribed, midscribed (to the unit
-i-sphere 2z = x² + y²), delaunay (top view), circular, conical (Euclidean).
+i-sphere 2z = x² + y²), delaunay (top view), i-isothermic (touching circles with the signed radii in
+data.vertex.radius; without radii, circular quads with factorised cross-ratios), koenigs (planar quads
+with a Christoffel dual around interior vertices), i-minimal (H = 0 at vertices, with the lift), a-net
+(planar vertex stars), circular, conical (Euclidean).
 Properties of a pair M, S, with --with S: parallel (edges), f-parallel (face planes), v-parallel
 (top views), christoffel-dual (parallel, mixed areas 0), i-minimal (H = 0 at every face), cmc (H is
 the same at every face), constant-k. S has the faces of M, with the vertices in the same order.
@@ -279,6 +285,57 @@ pub struct OffsetOptions {
     pub vertical: bool,
     #[command(flatten)]
     pub output: OutputOptions,
+}
+
+/// Write the Christoffel dual: parallel edges, mixed area 0 at every face
+#[derive(Debug, Args)]
+#[command(after_help = "\
+With signed radii R in data.vertex.radius the edges are divided by R_i R_j, with signs that alternate
+around every face; without, the ratios of the diagonals of planar quads tell the factors (Koenigs).
+Written as .iso.json, the factors are its certificate. That it does not close is a result, with the
+vertex, face or cycle that fails: exit code 1 if it is refuted, else 3.
+Example:
+  isogeo christoffel koebe.iso.json -o minimal.iso.json")]
+pub struct ChristoffelOptions {
+    #[command(flatten)]
+    pub input: InputOptions,
+    #[command(flatten)]
+    pub output: OutputOptions,
+}
+
+/// Make an exact family of meshes: DIR/surface.iso.json, and DIR/gauss.iso.json where there is one
+#[derive(Debug, Args)]
+#[command(after_help = families_help())]
+pub struct MakeOptions {
+    /// The family
+    pub family: String,
+    /// M rows by N columns of faces, or M rings by N sectors
+    #[arg(long, value_name = "MxN")]
+    pub n: Option<String>,
+    /// Parameters: name=value, or name=value,value
+    #[arg(short, long = "parameter", value_name = "NAME=VALUE,..", allow_hyphen_values = true)]
+    pub parameters: Vec<String>,
+    /// The folder to write to; it is made if it is not there
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// The families with their parameters and defaults.
+fn families_help() -> String {
+    let mut text = String::from("Families, with --n and -p as they are by default:\n");
+    for family in Family::ALL {
+        let [m, n] = family.size();
+        let parameters =
+            family.parameters().iter().map(|p| format!(" -p {}={}", p.name, p.default));
+        let parameters: String = parameters.collect();
+        text +=
+            &format!("  {} --n {m}x{n}{parameters}\n      {}\n", family.name(), family.summary());
+    }
+    text + "\
+Values are integers, decimals or fractions; vertex radii are written as data.vertex.radius.
+Examples:
+  isogeo make enneper --n 8x8 -p center=4,4 -o enneper
+  isogeo check enneper/surface.iso.json --with enneper/gauss.iso.json --is f-parallel,i-minimal"
 }
 
 /// Apply an isotropic motion: rotate the top view, shear in z-direction, translate

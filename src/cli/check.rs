@@ -8,13 +8,14 @@ use super::arguments::{CheckOptions, Layout};
 use super::failure::Failure;
 use super::input::{self, Input};
 use super::{Status, output, words};
-use crate::check::{Decide, Element, Reason, Report, Verdict};
+use crate::check::{Decide, Decider, Element, Reason, Report, Verdict};
+use crate::mesh::VertexId;
 use crate::net::{Net, Property};
 use crate::pair::{Couple, PairProperty};
 use crate::scalar::{Rational, ReadAs};
 
 /// Properties of the interface that are not there yet.
-const TO_COME: [&str; 3] = ["i-isothermic", "koenigs", "edge-offset"];
+const TO_COME: [&str; 1] = ["edge-offset"];
 
 /// A property of the mesh, or of the pair.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -39,7 +40,15 @@ pub fn run(options: &CheckOptions, layout: Layout) -> Result<Status, Failure> {
     if let Some(image) = &image {
         decider = decider.followed_by(image.decider());
     }
-    let net = Net::new(input.topology(), &decider);
+    let radii = input.radii();
+    let meshes = 1 + image.iter().len();
+    if let Some(radii) = &radii {
+        decider = decider.followed_by(Decider::of_rationals(radii));
+    }
+    let mut net = Net::new(input.topology(), &decider);
+    if radii.is_some() {
+        net = net.with_radii(VertexId((meshes * input.topology().vertex_count()) as u32));
+    }
     let couple = couple(&input, image.as_ref(), &decider)?;
     let reports = asked.into_iter().filter_map(|asked| {
         bar.set_message(asked.name());
@@ -86,10 +95,6 @@ impl Asked {
         let known = Property::ALL.map(Property::name).join(", ");
         let pairs = PairProperty::ALL.map(PairProperty::name).join(", ");
         let (message, help) = match pair {
-            Some(PairProperty::IMinimal) => (
-                "of a mesh alone, the property 'i-minimal' is not there yet".to_owned(),
-                "of a pair it is H = 0 at every face: add --with S, the Gauss image".to_owned(),
-            ),
             Some(_) => (
                 format!("the property '{name}' is that of a pair of meshes"),
                 "add --with S, the second mesh".to_owned(),
@@ -111,7 +116,10 @@ impl Asked {
 fn asked(names: &[String], with: bool) -> Result<Vec<Asked>, Failure> {
     if names.is_empty() {
         let pairs = PairProperty::ALL.into_iter().filter(|_| with).map(Asked::Pair);
-        return Ok(Property::ALL.into_iter().map(Asked::Mesh).chain(pairs).collect());
+        // 'i-minimal' is one name: that of the pair, if there is one.
+        let of_pair = |p: &Property| with && PairProperty::from_name(p.name()).is_some();
+        let alone = Property::ALL.into_iter().filter(|p| !of_pair(p)).map(Asked::Mesh);
+        return Ok(alone.chain(pairs).collect());
     }
     let mut all = Vec::new();
     for name in names {

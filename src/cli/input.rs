@@ -8,8 +8,10 @@ use super::output;
 use crate::check::Decider;
 use crate::mesh::file::{self, Coordinates, MeshFile};
 use crate::mesh::{Mesh, Topology};
+use crate::net::RADIUS;
 use crate::pair::Misfit;
-use crate::scalar::{Numeral, Rational, ReadAs};
+use crate::scalar::{Numeral, Rational, ReadAs, Ring};
+use crate::space::Point;
 
 /// A mesh file and the reading of its numbers.
 pub struct Input {
@@ -71,6 +73,14 @@ impl Input {
             Coordinates::Numerals(mesh) => mesh.map(Numeral::value),
             Coordinates::Rationals(mesh) => mesh.clone(),
         }
+    }
+
+    /// The signed radii of the vertices as x-coordinates of points, if the file has them.
+    pub fn radii(&self) -> Option<Vec<Point<Rational>>> {
+        let Coordinates::Rationals(mesh) = &self.file.coordinates else { return None };
+        let radii = mesh.data.vertex.get(RADIUS)?;
+        let at = |radius: &Rational| Point::new(radius.clone(), Rational::zero(), Rational::zero());
+        Some(radii.iter().map(at).collect())
     }
 
     /// The way to decide on the points of the mesh in this reading.

@@ -3,6 +3,7 @@
 mod accuracy;
 mod arguments;
 mod check;
+mod christoffel;
 mod convert;
 mod curvature;
 mod dual;
@@ -11,6 +12,7 @@ mod gauss;
 mod info;
 mod input;
 mod inversion;
+mod make;
 mod motion;
 mod numbers;
 mod offset;
@@ -88,6 +90,8 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Curvature(options) => curvature::run(&options, layout),
         Command::Gauss(options) => gauss::run(&options, layout),
         Command::Offset(options) => offset::run(&options, layout),
+        Command::Christoffel(options) => christoffel::run(&options, layout),
+        Command::Make(options) => make::run(&options, layout),
         Command::Move(options) => motion::run(&options, layout),
         Command::Invert(options) => inversion::run(&options, layout),
         Command::Transfer(options) => transfer::run(&options, layout),

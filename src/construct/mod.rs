@@ -1,21 +1,31 @@
 //! Floor 6: exact families of meshes, and meshes made from others or from samples.
 
 pub mod accuracy;
+pub mod christoffel;
 mod circle_pattern;
 mod circular_net;
 mod circumscribed;
 mod delaunay;
 mod discrete_power;
+pub mod family;
 pub mod gauss_image;
+pub mod hexagonal;
 mod inscribed;
+mod koebe;
 mod metric_dual;
+pub mod minimal;
 mod moebius_image;
+mod packing;
+pub mod rotational;
 mod spread;
 mod star;
 pub mod transfer;
 mod translational_net;
 mod voronoi;
 
+pub use christoffel::{
+    ChristoffelDual, NoChristoffelDual, christoffel_by_diagonals, christoffel_by_radii,
+};
 pub use circle_pattern::{CircleCondition, CirclePattern, Koebe, Layout, NoPattern};
 pub use circular_net::circular_net;
 pub use circumscribed::{Circumscribed, circumscribed_f_parallel, circumscribed_v_parallel};
@@ -23,8 +33,10 @@ pub use delaunay::{NoTriangulation, delaunay};
 pub use discrete_power::discrete_power;
 pub use gauss_image::NoGaussImage;
 pub use inscribed::{inscribed_f_parallel, inscribed_v_parallel, lift, mean_gradient};
+pub use koebe::{face_circle, koebe_mesh, schramm_residual, vertex_circles};
 pub use metric_dual::{NoDual, face_plane, metric_dual};
 pub use moebius_image::{VertexAtInfinity, moebius_image};
+pub use packing::{ThroughCentre, inverted_packing, polar_packing, square_packing};
 pub use translational_net::translational_net;
 pub use voronoi::voronoi_areas;
 

@@ -36,7 +36,7 @@ impl Residual<5> for Balance {
 }
 
 /// The product of complex numbers.
-fn product<R: Ring>(a: &Vector2<R>, b: &Vector2<R>) -> Vector2<R> {
+pub(super) fn product<R: Ring>(a: &Vector2<R>, b: &Vector2<R>) -> Vector2<R> {
     Vector2 { x: R::det2(&a.x, &a.y, &b.y, &b.x), y: R::dot([&a.x, &a.y], [&b.y, &b.x]) }
 }
 
@@ -120,7 +120,7 @@ pub(super) fn outcome<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D
 }
 
 /// Whether the faces around a vertex have planes with gradients; if not, the outcome.
-fn planes_around<D: Decide>(
+pub(super) fn planes_around<D: Decide>(
     judge: &Judge<'_, D>,
     star: &[HalfEdge],
 ) -> Result<Answer, Outcome<D::Value>> {

@@ -9,17 +9,26 @@
 //! | [`scribed`] `circumscribed` | face | its plane touches Σ |
 //! | [`scribed`] `midscribed` | edge | its line touches Σ |
 //! | [`delaunay`] | edge, face | no circumcircle of the top view has a vertex inside |
+//! | [`i_isothermic`] `i-isothermic` | face, edge or vertex | touching circles with radii; else factorised cross-ratios |
+//! | [`koenigs`] | face, interior vertex | planar quads; ratios of diagonals have the product 1 |
+//! | [`i_minimal`] `i-minimal` | interior vertex | the mixed measure with the lift to Σ is 0 |
+//! | [`a_net`] `a-net` | interior vertex | its edges lie in a plane |
 //! | [`euclidean`] `circular`, `conical` | face, interior vertex | the Euclidean notions |
 //!
 //! Boundary rule: vertex properties are tested where the faces around a vertex form one closed
 //! cycle; boundary and pinched vertices are no elements of the check.
 
+pub mod a_net;
 pub mod delaunay;
 pub mod euclidean;
 pub mod i_circular;
 pub mod i_conical;
+pub mod i_isothermic;
+pub mod i_minimal;
+pub mod koenigs;
 pub mod planar;
 pub mod scribed;
+mod star;
 
 use std::sync::OnceLock;
 
@@ -28,6 +37,10 @@ use rayon::prelude::*;
 use crate::check::{Decide, Element, Failure, Outcome, Report, Residual};
 use crate::mesh::{FaceId, Topology, VertexId};
 pub use planar::FaceShape;
+
+/// The name of the data on vertices that hold the signed radii of vertex circles, the certificate of
+/// i-isothermic meshes.
+pub const RADIUS: &str = "radius";
 
 /// A property of a single mesh that can be checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -46,6 +59,14 @@ pub enum Property {
     Midscribed,
     /// The top view is a Delaunay triangulation.
     Delaunay,
+    /// The mesh discretises the curvature lines of an isothermic surface.
+    IIsothermic,
+    /// A planar quad mesh with a Christoffel dual, as far as interior vertices tell.
+    Koenigs,
+    /// H = 0 at interior vertices, with the lift to the unit i-sphere.
+    IMinimal,
+    /// The edges at a vertex lie in a plane.
+    ANet,
     /// Faces have Euclidean circumcircles.
     Circular,
     /// The face planes at a vertex touch a Euclidean cone of revolution.
@@ -54,7 +75,7 @@ pub enum Property {
 
 impl Property {
     /// All properties, in the order of reports.
-    pub const ALL: [Property; 9] = [
+    pub const ALL: [Property; 13] = [
         Property::Planar,
         Property::ICircular,
         Property::IConical,
@@ -62,6 +83,10 @@ impl Property {
         Property::Circumscribed,
         Property::Midscribed,
         Property::Delaunay,
+        Property::IIsothermic,
+        Property::Koenigs,
+        Property::IMinimal,
+        Property::ANet,
         Property::Circular,
         Property::Conical,
     ];
@@ -76,6 +101,10 @@ impl Property {
             Property::Circumscribed => "circumscribed",
             Property::Midscribed => "midscribed",
             Property::Delaunay => "delaunay",
+            Property::IIsothermic => "i-isothermic",
+            Property::Koenigs => "koenigs",
+            Property::IMinimal => "i-minimal",
+            Property::ANet => "a-net",
             Property::Circular => "circular",
             Property::Conical => "conical",
         }
@@ -93,6 +122,7 @@ impl Property {
 pub struct Net<'a, D> {
     topology: &'a Topology,
     decide: &'a D,
+    radii: Option<VertexId>,
     shapes: OnceLock<Vec<FaceShape>>,
     disc: OnceLock<bool>,
 }
@@ -100,7 +130,17 @@ pub struct Net<'a, D> {
 impl<'a, D: Decide> Net<'a, D> {
     /// Combinatorics and a decider for the points of the same mesh.
     pub fn new(topology: &'a Topology, decide: &'a D) -> Self {
-        Net { topology, decide, shapes: OnceLock::new(), disc: OnceLock::new() }
+        Net { topology, decide, radii: None, shapes: OnceLock::new(), disc: OnceLock::new() }
+    }
+
+    /// The same with signed radii of vertex circles: they are the x-coordinates of the decider's
+    /// points from `first` on, as many as there are vertices.
+    ///
+    /// With them `i-isothermic` asks for touching circles, and the lift of `i-minimal` is that of
+    /// the circles.
+    pub fn with_radii(mut self, first: VertexId) -> Self {
+        self.radii = Some(first);
+        self
     }
 
     /// Checks one property on all its elements.
@@ -127,11 +167,12 @@ impl<'a, D: Decide> Net<'a, D> {
             (Element::Vertex(v), Outcome::Fails(failure)) => Some((v.index(), failure.defect)),
             _ => None,
         };
-        let found: Vec<_> = elements.par_iter().filter_map(defect).collect();
-        let count = match elements.first() {
-            Some(Element::Face(_)) => self.topology.face_count(),
-            _ => self.topology.vertex_count(),
-        };
+        let on_faces = matches!(elements.first(), Some(Element::Face(_)));
+        let count =
+            if on_faces { self.topology.face_count() } else { self.topology.vertex_count() };
+        // Of properties that speak of both, those of the kind that comes first.
+        let shown = elements.par_iter().filter(|e| matches!(e, Element::Face(_)) == on_faces);
+        let found: Vec<_> = shown.filter_map(defect).collect();
         let mut defects = vec![0.0; count];
         found.into_iter().for_each(|(index, defect)| defects[index] = defect);
         defects
@@ -148,7 +189,11 @@ impl<'a, D: Decide> Net<'a, D> {
             | Property::ICircular
             | Property::Circumscribed
             | Property::Circular => faces().collect(),
-            Property::IConical | Property::Conical => interior().collect(),
+            Property::IConical | Property::IMinimal | Property::ANet | Property::Conical => {
+                interior().collect()
+            }
+            Property::IIsothermic if self.radii.is_some() => faces().chain(edges()).collect(),
+            Property::IIsothermic | Property::Koenigs => faces().chain(interior()).collect(),
             Property::Inscribed => topology.vertices().map(Element::Vertex).collect(),
             Property::Midscribed => edges().collect(),
             Property::Delaunay => delaunay::elements(topology),
@@ -170,9 +215,14 @@ impl<'a, D: Decide> Net<'a, D> {
             | Property::ICircular
             | Property::IConical
             | Property::Circumscribed
+            | Property::IIsothermic
+            | Property::Koenigs
+            | Property::IMinimal
             | Property::Circular
             | Property::Conical => true,
-            Property::Inscribed | Property::Midscribed | Property::Delaunay => false,
+            Property::Inscribed | Property::Midscribed | Property::Delaunay | Property::ANet => {
+                false
+            }
         };
         if asks && self.shapes.get().is_none() {
             let faces = 0..self.topology.face_count() as u32;
@@ -209,6 +259,10 @@ impl<D: Decide> Judge<'_, D> {
             (Property::Circumscribed, Element::Face(f)) => scribed::circumscribed(self, f),
             (Property::Midscribed, Element::Edge(a, b)) => scribed::midscribed(self, a, b),
             (Property::Delaunay, element) => delaunay::outcome(self, element),
+            (Property::IIsothermic, element) => i_isothermic::outcome(self, element),
+            (Property::Koenigs, element) => koenigs::outcome(self, element),
+            (Property::IMinimal, Element::Vertex(v)) => i_minimal::outcome(self, v),
+            (Property::ANet, Element::Vertex(v)) => a_net::outcome(self, v),
             (Property::Circular, Element::Face(f)) => euclidean::circular(self, f),
             (Property::Conical, Element::Vertex(v)) => euclidean::conical(self, v),
             // `elements` pairs every property with its own kind of element.
@@ -222,6 +276,11 @@ impl<D: Decide> Judge<'_, D> {
 
     fn decide(&self) -> &D {
         self.net.decide
+    }
+
+    /// Where the radius of a vertex stands, if there are radii.
+    fn radius(&self, v: VertexId) -> Option<VertexId> {
+        self.net.radii.map(|first| VertexId(first.0 + v.0))
     }
 
     fn failure<const K: usize>(

@@ -7,7 +7,7 @@
 //! | [`ContactElement`] | a point with a plane through it |
 //! | [`Dual`] | metric duality: points and planes, i-distance and i-angle |
 //! | [`ParabolicSphere`], [`CylindricalSphere`], [`MoebiusSphere`] | i-spheres, i-M-spheres |
-//! | [`ICircle`], [`ParabolicCircle`], [`Circle`] | i-circles; circles of the top view |
+//! | [`ICircle`], [`ParabolicCircle`], [`Circle`], [`OrientedCircle`] | i-circles; circles of the top view, also with signs |
 //! | [`Motion`], [`Rotation`], [`Scaling`] | i-motions (1) and similarities; [`Transform`] applies them |
 //! | [`MoebiusTransformation`], [`Similarity`] | i-M-transformations, and the 4-space of spheres that they act on |
 //! | [`laguerre`] | oriented planes, spheres and cones of Euclidean space, in the isotropic model (12) |
@@ -26,6 +26,7 @@ mod gradient;
 pub mod laguerre;
 mod moebius;
 mod motion;
+mod oriented_circle;
 mod parabolic_circle;
 mod parametric;
 mod plane;
@@ -45,6 +46,7 @@ pub use expression::{Expression, ExpressionError};
 pub use gradient::Gradient;
 pub use moebius::{IsotropicModel, MoebiusTransformation};
 pub use motion::{Motion, Rotation};
+pub use oriented_circle::OrientedCircle;
 pub use parabolic_circle::ParabolicCircle;
 pub use parametric::ParametricSurface;
 pub use plane::{IsotropicPlane, Plane};

@@ -5,6 +5,7 @@ mod areas;
 mod exact;
 mod faces;
 mod images;
+mod minimal;
 mod properties;
 mod readings;
 mod refusals;

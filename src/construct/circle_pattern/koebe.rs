@@ -2,7 +2,8 @@
 
 use super::{CirclePattern, Layout, NoPattern};
 use crate::mesh::{Data, FaceId, Mesh, Topology, VertexId};
-use crate::space::{Point, TopView};
+use crate::net::RADIUS;
+use crate::space::{OrientedCircle, TopView};
 
 /// An i-Koebe mesh in doubles, with the radii of its vertex circles as data `radius`.
 #[derive(Clone, Debug)]
@@ -20,7 +21,8 @@ impl CirclePattern<'_> {
     /// circles, `z = (|x'|² − r²)/2`.
     pub fn koebe(&self) -> Koebe {
         let layout = self.layout();
-        let circles = layout.vertices.iter().copied().zip(self.vertex_radii.iter().copied());
+        let circles = layout.vertices.iter().zip(&self.vertex_radii);
+        let circles = circles.map(|(&centre, &radius)| OrientedCircle { centre, radius });
         Koebe {
             mesh: poles(self.topology(), circles.collect()),
             defect: self.defect,
@@ -65,7 +67,7 @@ impl Koebe {
         let circle = |v: VertexId| {
             let (c, r) = inverted(v);
             let c = (&c - &middle).scaled(&unit);
-            (TopView::new(c.x, c.y), r * unit)
+            OrientedCircle { centre: TopView::new(c.x, c.y), radius: r * unit }
         };
         let mesh = poles(topology, topology.vertices().map(circle).collect());
         Ok(Koebe { mesh, defect: pattern.defect, gap: layout.gap })
@@ -101,11 +103,10 @@ fn beside(pattern: &CirclePattern<'_>, layout: &Layout, face: FaceId) -> TopView
     centre + &normal.scaled(&(side * length / normal.length2().sqrt()))
 }
 
-/// The mesh of the poles of vertex circles.
-fn poles(topology: &Topology, circles: Vec<(TopView<f64>, f64)>) -> Mesh<f64> {
-    let point = |(c, r): &(TopView<f64>, f64)| Point::new(c.x, c.y, (c.norm2() - r * r) / 2.0);
-    let points = circles.iter().map(point).collect();
+/// The mesh of the poles of vertex circles, with their radii.
+fn poles(topology: &Topology, circles: Vec<OrientedCircle<f64>>) -> Mesh<f64> {
+    let points = circles.iter().map(OrientedCircle::pole).collect();
     let mut data = Data::default();
-    data.vertex.insert("radius".into(), circles.into_iter().map(|(_, r)| r).collect());
+    data.vertex.insert(RADIUS.into(), circles.into_iter().map(|c| c.radius).collect());
     Mesh { topology: topology.clone(), points, data }
 }

@@ -57,7 +57,7 @@ fn fields_of_check() {
             ["decimal", "rounded", "double"].contains(&mesh["read_as"].as_str().expect("text"))
         );
         let properties = report["properties"].as_array().expect("a list");
-        assert_eq!(properties.len(), 9);
+        assert_eq!(properties.len(), isogeo::net::Property::ALL.len());
         for property in properties {
             let checked = count(property, "checked");
             let [failed, undefined, undecided] =

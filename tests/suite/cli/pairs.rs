@@ -145,5 +145,5 @@ fn the_sphere_is_its_own_gauss_image() {
     let names = report["properties"].as_array().expect("a list").iter();
     let names: Vec<&Value> = names.map(|p| &p["property"]).collect();
     let pairs = isogeo::pair::PairProperty::ALL.map(|p| p.name());
-    assert_eq!(names[9..], pairs);
+    assert_eq!(names[names.len() - pairs.len()..], pairs);
 }

@@ -1,10 +1,11 @@
 //! Named values: curvatures of discrete surfaces known in closed form.
 
-use isogeo::construct::{inscribed_v_parallel, quad_patch};
+use isogeo::construct::inscribed_v_parallel;
+use isogeo::construct::minimal::{MeshPair, enneper, logarithmoid};
 use isogeo::mesh::{FaceId, Mesh, VertexId};
 use isogeo::pair::*;
-use isogeo::scalar::{Field, Rational, Ring};
-use isogeo::space::{Point, Rotation, Vector2};
+use isogeo::scalar::{Rational, Ring};
+use isogeo::space::{Point, Rotation, TopView};
 
 use super::{fan, q, sampled};
 
@@ -179,36 +180,16 @@ fn cmc_three_sevenths_has_an_offset_of_constant_curvature() {
     assert_eq!(saddle.offset(&r(1, 1)), None);
 }
 
-/// A patch of the Koebe mesh of the square grid, inverted, and of its Christoffel dual.
-fn enneper(columns: i64, rows: i64) -> [Mesh<R>; 2] {
-    let grid = |f: &dyn Fn(&R, &R) -> Point<R>| {
-        let at = |i: i64, j: i64| f(&r(2 * i - 1, 2), &r(2 * j - 1, 2));
-        let points =
-            (0..=columns).flat_map(|i| (0..=rows).map(move |j| (i, j))).map(|(i, j)| at(i, j));
-        Mesh::new(points.collect(), quad_patch(columns as usize, rows as usize)).unwrap()
-    };
-    let m = |x: &R, y: &R| {
-        let (x2, y2) = (x.square(), y.square());
-        Point::new(
-            x * (&y2 - &x2 * r(1, 3) + r(1, 12)),
-            y * (&y2 * r(1, 3) - &x2 - r(1, 12)),
-            (&y2 - &x2) * r(1, 2),
-        )
-    };
-    let s = |x: &R, y: &R| {
-        let n = (x.square() + y.square() - r(1, 4)).try_inv().unwrap();
-        Point::new(x * &n, y * &n, n * r(1, 2))
-    };
-    [grid(&m), grid(&s)]
-}
-
 #[test]
 fn the_discrete_enneper_surface() {
-    let [m, s] = enneper(4, 3);
+    // Seen from the centre of the inversion, the corner (0, 0) is (−1/2, −1/2).
+    let half = TopView::new(r(1, 2), r(1, 2));
+    let MeshPair { surface: m, gauss: s } = enneper(4, 3, &half).unwrap();
     let face = |i: u32, j: u32| FaceId(3 * i + j);
     assert_eq!(m.points[5], Point::new(r(1, 8), r(-1, 8), r(0, 1)));
     assert_eq!(m.points[10], Point::new(r(19, 8), r(-19, 8), r(0, 1)));
-    assert_eq!(s.points[10], Point::new(r(6, 17), r(6, 17), r(2, 17)));
+    let x = r(6, 17) + r(1, 2);
+    assert_eq!(s.points[10].top_view(), TopView::new(x.clone(), x));
     assert!(Parallel::new(&m, &s).is_ok());
     let pair = FParallel::new(&m, &s).unwrap();
     let values = [
@@ -238,20 +219,12 @@ fn the_discrete_enneper_surface() {
 fn the_discrete_logarithmoid() {
     // σ = 3/5, q = 4, sectors turned by (7/25, 24/25).
     let power = |k: i64| if k < 0 { r(1, 4i64.pow(-k as u32)) } else { r(4i64.pow(k as u32), 1) };
-    let turn = Rotation::new(r(7, 25), r(24, 25)).unwrap();
-    let mut spokes = vec![Vector2::new(R::one(), R::zero())];
-    for j in 0..3 {
-        let next = turn.turn(&spokes[j]);
-        spokes.push(next);
+    let half = Rotation::new(r(4, 5), r(3, 5)).unwrap();
+    let MeshPair { surface: m, gauss: s } = logarithmoid(3, 3, &half).unwrap();
+    for (k, row) in m.points.chunks(4).enumerate() {
+        assert!(row.iter().all(|p| p.z == r(6 * k as i64, 5)));
+        assert_eq!(row[0].x, -power(-(k as i64)));
     }
-    let net = |radius: &dyn Fn(i64) -> R, height: &dyn Fn(i64) -> R| {
-        let at =
-            |(k, e): (i64, &Vector2<R>)| Point::new(radius(k) * &e.x, radius(k) * &e.y, height(k));
-        let points = (0..=3).flat_map(|k| spokes.iter().map(move |e| (k, e))).map(at).collect();
-        Mesh::new(points, quad_patch(3, 3)).unwrap()
-    };
-    let m = net(&|k| -power(-k), &|k| r(6 * k, 5));
-    let s = net(&power, &|k| power(2 * k) * r(16, 25) * r(1, 2));
     assert!(Parallel::new(&m, &s).is_ok());
     let pair = FParallel::new(&m, &s).unwrap();
     for f in m.topology.faces() {
