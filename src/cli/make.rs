@@ -6,7 +6,7 @@ use serde_json::json;
 
 use super::arguments::{Layout, MakeOptions};
 use super::failure::Failure;
-use super::{Status, output, words};
+use super::{Status, koebe, output, words};
 use crate::construct::family::{Family, Values};
 use crate::mesh::Mesh;
 use crate::mesh::file::{self, Options};
@@ -16,8 +16,11 @@ use crate::scalar::Rational;
 
 /// Writes the surface, and its Gauss image where there is one.
 pub fn run(options: &MakeOptions, layout: Layout) -> Result<Status, Failure> {
+    if options.family == "koebe" {
+        return koebe::run(&parameters(&options.parameters)?, &options.output, layout);
+    }
     let family = Family::from_name(&options.family).ok_or_else(|| {
-        let known = Family::ALL.map(Family::name).join(", ");
+        let known = Family::ALL.map(Family::name).join(", ") + ", koebe";
         let message = format!("there is no family '{}'", options.family);
         Failure::with_help(message, format!("the families are {known}"))
     })?;

@@ -12,6 +12,7 @@ mod gauss;
 mod info;
 mod input;
 mod inversion;
+mod koebe;
 mod make;
 mod motion;
 mod numbers;

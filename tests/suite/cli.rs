@@ -4,6 +4,7 @@ mod contract;
 mod curvature;
 mod damage;
 mod invariance;
+mod koebe;
 mod pairs;
 mod samples;
 mod shell;
