@@ -22,7 +22,7 @@
 //! | [`check`] | from residuals to verdicts |
 //! | [`net`] | classes of mesh: planar, i-circular, i-conical, ... |
 //! | [`pair`] | pairs of meshes: parallel, f-parallel, v-parallel; curvatures, linear spaces |
-//! | [`construct`] | exact families, the metric dual, Gauss images, Delaunay meshes of samples |
+//! | [`construct`] | exact families, metric and Christoffel duals, Gauss images, Delaunay meshes of samples |
 //!
 //! # Example
 //!

@@ -199,10 +199,10 @@ fn rotational_constant_gauss([m, n]: [usize; 2], values: &Values) -> Result<Memb
     let half_angle = values.half_angle()?;
     let (gauss, integral) = (values.non_zero("curvature")?, values.non_zero("integral")?);
     let negative = gauss.certain_sign() == Some(Sign::Negative);
-    let expected = "a square of a fraction, or minus one,";
+    let expected = "the square of a fraction or minus such a square";
     let root = square_root(&gauss.magnitude()).ok_or_else(|| values.bad("curvature", expected))?;
     let rings = if negative {
-        let expected = "a square of a fraction, where the curvature is negative,";
+        let expected = "the square of a fraction if the curvature is negative";
         let amplitude = square_root(&integral).ok_or_else(|| values.bad("integral", expected))?;
         let parameters: Vec<Q> = (0..=m).map(|k| ratio(m + 1 - k, m + 2)).collect();
         negative_curvature_rings(&parameters, &root, &(amplitude * &root))
@@ -248,7 +248,7 @@ fn hexagonal(family: Family, [m, n]: [usize; 2], values: &Values) -> Result<Memb
         }
         Family::HexConstantK => {
             let curvature = values.non_zero("curvature")?;
-            let expected = "a square of a fraction";
+            let expected = "the square of a fraction";
             let root = square_root(&curvature).ok_or_else(|| values.bad("curvature", expected))?;
             // q − p = 2 δ̂/k and pq = C AB, rounded.
             let factor = |(d, product): (&Q, Q)| {
