@@ -69,8 +69,8 @@ fn vertex_outcome<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D::Va
     }
     let (valence, around) = (star.len(), ring_of_quads(judge, &star));
     match valence {
-        0..=USUAL => product::<D, { 1 + 2 * USUAL }>(judge, valence, padded(v, around)),
-        ..=MOST => product::<D, { 1 + 2 * MOST }>(judge, valence, padded(v, around)),
+        n if n <= USUAL => product::<D, { 1 + 2 * USUAL }>(judge, valence, padded(v, around)),
+        n if n <= MOST => product::<D, { 1 + 2 * MOST }>(judge, valence, padded(v, around)),
         _ => Outcome::Undefined(Reason::HighValence),
     }
 }
