@@ -239,7 +239,7 @@ fn hexagonal(family: Family, [m, n]: [usize; 2], values: &Values) -> Result<Memb
             // The larger root of H δ² − δ̂ δ + C AB = 0, rounded: then δ̂ moves a little.
             let step = |(d, product): (&Q, Q)| {
                 let h = mean.to_f64();
-                let root = (d.to_f64().powi(2) - 4.0 * h * product.to_f64()).sqrt();
+                let root = (d.to_f64() * d.to_f64() - 4.0 * h * product.to_f64()).sqrt();
                 rounded((d.to_f64() + root) / (2.0 * h))
             };
             let steps = round.iter().zip(products).map(step).collect::<Result<Vec<_>, _>>()?;
@@ -253,7 +253,7 @@ fn hexagonal(family: Family, [m, n]: [usize; 2], values: &Values) -> Result<Memb
             // q − p = 2 δ̂/k and pq = C AB, rounded.
             let factor = |(d, product): (&Q, Q)| {
                 let d = d.to_f64() / root.to_f64();
-                rounded((d.powi(2) + product.to_f64()).sqrt() - d)
+                rounded((d * d + product.to_f64()).sqrt() - d)
             };
             let factors = round.iter().zip(products).map(factor).collect::<Result<Vec<_>, _>>()?;
             rings.constant_gauss(&factors, &root, &integral).ok_or_else(singular)?
