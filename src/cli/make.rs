@@ -80,8 +80,14 @@ fn report(
         let size = format!("{}, {}", words::vertices(vertices), words::count(faces, "face"));
         text += &format!("{file}: {size}, written exactly\n");
     }
-    let classes = [alone, pair].concat();
-    output::print(&format!("{text}  check proves: {}\n", classes.join(", ")))
+    let mut proofs = Vec::new();
+    if !alone.is_empty() {
+        proofs.push(alone.join(", "));
+    }
+    if !pair.is_empty() {
+        proofs.push(format!("with gauss.iso.json {}", pair.join(", ")));
+    }
+    output::print(&format!("{text}  check proves: {}\n", proofs.join("; ")))
 }
 
 /// Rows and columns.

@@ -166,7 +166,7 @@ impl<T: Field> HexagonalRings<T> {
         let mut height = T::zero();
         let mut heights = vec![height.clone()];
         for step in steps {
-            height = height - step;
+            height -= step;
             heights.push(height.clone());
         }
         heights

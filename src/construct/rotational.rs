@@ -85,7 +85,7 @@ pub fn negative_curvature_rings<T: Field>(
 }
 
 /// The rotational mesh M with these rings on the rays of angle `jθ`, and its Gauss image S inscribed to
-/// Σ: `ẑ = r̂²/2`, and `Δz = ½ (r̂_k + r̂_{k+1}) Δr`. RingRadii k is row k, ray j is column j; the first ring
+/// Σ: `ẑ = r̂²/2`, and `Δz = ½ (r̂_k + r̂_{k+1}) Δr`. Ring k is row k, ray j is column j; the first ring
 /// of M has height 0.
 ///
 /// ```

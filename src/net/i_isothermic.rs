@@ -155,8 +155,8 @@ fn factorised<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D::Value>
     let (valence, around) = (star.len(), ring_of_quads(judge, &star));
     match valence {
         n if n % 2 == 1 => Outcome::Undefined(Reason::OddValence),
-        0..=USUAL => cross_ratios::<D, { 1 + 2 * USUAL }>(judge, valence, padded(v, around)),
-        ..=MOST => cross_ratios::<D, { 1 + 2 * MOST }>(judge, valence, padded(v, around)),
+        n if n <= USUAL => cross_ratios::<D, { 1 + 2 * USUAL }>(judge, valence, padded(v, around)),
+        n if n <= MOST => cross_ratios::<D, { 1 + 2 * MOST }>(judge, valence, padded(v, around)),
         _ => Outcome::Undefined(Reason::HighValence),
     }
 }

@@ -12,7 +12,7 @@ use super::i_circular::{self, Concyclic};
 use super::i_conical::planes_around;
 use super::i_isothermic::{CoplanarPoles, lifted, poles};
 use super::planar::ProjectedArea;
-use super::star::{MOST, USUAL, padded};
+use super::star::{MOST, TRIANGLES, USUAL, padded};
 use crate::check::{Answer, Decide, Outcome, Reason, Residual};
 use crate::mesh::{FaceId, HalfEdge, VertexId};
 use crate::scalar::{Ring, Sign};
@@ -75,17 +75,17 @@ pub(super) fn outcome<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D
     let around: Vec<VertexId> = star.iter().map(|&h| topology.target(h)).collect();
     let valence = around.len();
     match (valence, judge.radius(v)) {
-        (0..=USUAL, None) => {
-            measure::<D, { 1 + USUAL }, false>(judge, valence, padded(v, around), planar)
+        (n, None) if n <= TRIANGLES => {
+            measure::<D, { 1 + TRIANGLES }, false>(judge, valence, padded(v, around), planar)
         }
-        (..=MOST, None) => {
+        (n, None) if n <= MOST => {
             measure::<D, { 1 + MOST }, false>(judge, valence, padded(v, around), planar)
         }
-        (0..=USUAL, Some(_)) => {
+        (n, Some(_)) if n <= USUAL => {
             let at = with_radii::<D, { 2 + 2 * USUAL }>(judge, v, &around);
             measure::<D, { 2 + 2 * USUAL }, true>(judge, valence, at, planar)
         }
-        (..=MOST, Some(_)) => {
+        (n, Some(_)) if n <= MOST => {
             let at = with_radii::<D, { 2 + 2 * MOST }>(judge, v, &around);
             measure::<D, { 2 + 2 * MOST }, true>(judge, valence, at, planar)
         }

@@ -2,9 +2,8 @@
 //!
 //! Decided are, exactly: that faces are planar quads; and at every interior vertex that the product
 //! of the ratios of diagonals around it is 1. That is what every simply connected part of the mesh
-//! needs for a dual; around holes and handles only
-//! [`christoffel_by_diagonals`](../../construct/christoffel/fn.christoffel_by_diagonals.html)
-//! looks. Undefined are faces that are no quads, vertical faces, and those with three corners on a
+//! needs for a dual; around holes and handles only the construction of the dual looks
+//! (`construct::christoffel_by_diagonals`). Undefined are faces that are no quads, vertical faces, and those with three corners on a
 //! line in the top view, where a ratio is 0 or infinite.
 
 use super::Judge;
@@ -70,8 +69,8 @@ fn vertex_outcome<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D::Va
     }
     let (valence, around) = (star.len(), ring_of_quads(judge, &star));
     match valence {
-        0..=USUAL => product::<D, { 1 + 2 * USUAL }>(judge, valence, padded(v, around)),
-        ..=MOST => product::<D, { 1 + 2 * MOST }>(judge, valence, padded(v, around)),
+        n if n <= USUAL => product::<D, { 1 + 2 * USUAL }>(judge, valence, padded(v, around)),
+        n if n <= MOST => product::<D, { 1 + 2 * MOST }>(judge, valence, padded(v, around)),
         _ => Outcome::Undefined(Reason::HighValence),
     }
 }

@@ -8,8 +8,10 @@ use crate::scalar::Sign;
 
 /// The most faces around a vertex that star residuals look at.
 pub(super) const MOST: usize = 16;
-/// The valence up to which shorter lists do.
+/// The valence up to which shorter lists do: that of regular meshes of quads.
 pub(super) const USUAL: usize = 4;
+/// The same for triangles.
+pub(super) const TRIANGLES: usize = 6;
 
 /// A vertex and the lists of vertices around it, one after the other; unused places repeat the
 /// vertex, and the residual does not look at them.

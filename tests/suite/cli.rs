@@ -5,6 +5,7 @@ mod curvature;
 mod damage;
 mod invariance;
 mod koebe;
+mod make;
 mod pairs;
 mod samples;
 mod shell;
@@ -30,6 +31,8 @@ fn help_has_an_example() {
         "curvature",
         "gauss",
         "offset",
+        "christoffel",
+        "make",
         "move",
         "invert",
         "transfer",
@@ -189,7 +192,7 @@ const ERRORS: [&str; 21] = [
     "info huge.obj --read-as double",
     "check kite.obj --is flat",
     "check kite.obj --is planar,",
-    "check kite.obj --is koenigs,constant-k",
+    "check kite.obj --is edge-offset,constant-k",
     "check kite.obj --is constant-k",
     "check kite.obj --tolerance -1",
     "check kite.obj --tolerance inf",

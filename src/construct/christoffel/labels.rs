@@ -51,5 +51,5 @@ impl<'a> Labels<'a> {
 /// Whether the half-edge has an even place in its face.
 fn is_even(topology: &Topology, h: HalfEdge) -> bool {
     let first = topology.half_edges(topology.face_at(h)).next().unwrap_or(h);
-    (h.0 - first.0) % 2 == 0
+    (h.0 - first.0).is_multiple_of(2)
 }

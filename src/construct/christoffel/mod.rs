@@ -66,10 +66,9 @@ fn integrated<T: Field>(
     let points = &found.values;
     if T::EXACT {
         for face in topology.faces() {
-            let residual =
-                topology.half_edges(face).map(along).fold(&origin - &origin, |sum, edge| {
-                    Vector3::new(&sum.x + &edge.x, &sum.y + &edge.y, &sum.z + &edge.z)
-                });
+            let mut end = origin.clone();
+            topology.half_edges(face).for_each(|h| end = &end + &along(h));
+            let residual = &end - &origin;
             if ![&residual.x, &residual.y, &residual.z].into_iter().all(T::is_zero) {
                 return Err(NoChristoffelDual::FaceOpen { face, residual });
             }

@@ -109,7 +109,6 @@ impl Values {
         let [c, s] = self.pair(name)?;
         let proper = !c.is_zero() && !s.is_zero();
         let rotation = Rotation::new(c, s).ok().filter(|_| proper);
-        rotation
-            .ok_or_else(|| self.bad(name, "a cosine and a sine with c² + s² = 1, not on an axis,"))
+        rotation.ok_or_else(|| self.bad(name, "c,s with c² + s² = 1 that are not 0"))
     }
 }

@@ -56,7 +56,7 @@ pub enum NoSurface<T> {
     /// this row and column.
     Singular(usize, usize),
     /// The Christoffel dual does not close.
-    NoDual(NoChristoffelDual<T>),
+    NoDual(Box<NoChristoffelDual<T>>),
     /// More elements than can be counted.
     Topology(TopologyError),
 }
@@ -91,6 +91,6 @@ impl<T> From<ThroughCentre> for NoSurface<T> {
 
 impl<T> From<NoChristoffelDual<T>> for NoSurface<T> {
     fn from(reason: NoChristoffelDual<T>) -> Self {
-        NoSurface::NoDual(reason)
+        NoSurface::NoDual(Box::new(reason))
     }
 }

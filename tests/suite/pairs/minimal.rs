@@ -411,7 +411,7 @@ fn doubles_see_the_same_surfaces() {
         enneper(4, 4, &TopView::new(q::<Rational>(2, 1), q(2, 1)))
             .unwrap()
             .surface
-            .map(|c| isogeo::scalar::Approx::to_f64(c)),
+            .map(isogeo::scalar::Approx::to_f64),
         enneper(4, 4, &TopView::new(2.0, 2.0)).unwrap().surface,
     ];
     for (p, r) in exact.points.iter().zip(&rounded.points) {
