@@ -187,6 +187,19 @@ fn edge_offset_images() {
     assert_eq!(verdict(&image.mesh, Property::Planar), Verdict::Proved);
     assert_eq!(verdict(&image.mesh, Property::Conical), Verdict::Refuted);
     assert!(Parallel::new(&image.mesh, &image.gauss).is_ok());
+    let interior = mesh.topology.interior_vertices();
+    for (face, v) in image.mesh.topology.faces().zip(interior) {
+        let (at, r) = (&mesh.points[v.index()], &radii[v.index()]);
+        let n = at.top_view().norm2() - r.square();
+        let height = |p: &Point<Q>| {
+            let along = &at.x * &p.x + &at.y * &p.y + &at.z;
+            along * q(2) + (q(1) - &n) * &p.z
+        };
+        for corner in image.mesh.topology.face(face) {
+            assert!(height(&image.mesh.points[corner.index()]).is_zero(), "the plane of a face");
+        }
+        assert!(!height(&Point::new(q(1), q(2), q(3))).is_zero());
+    }
     let offset = image.clone().offset(&q(2)).mesh;
     let mut edges = 0;
     for edge in image.mesh.topology.edges() {
@@ -257,6 +270,31 @@ fn great_circles_and_south_poles_are_refused() {
     let text = "the unit normal of face 0 is irrational: its squared length 32 is no square";
     assert_eq!(steep, Err(text.into()));
     assert_eq!(Rational::from_ratio(32, 1).root(), None);
+}
+
+/// Four planes through one point: a cone of revolution iff their normals lie on a circle.
+#[test]
+fn four_planes_make_a_cone_or_not() {
+    let half = |x: i64, y: i64, n: i64| Point::new(Q::from_ratio(x, n), Q::from_ratio(y, n), q(0));
+    for (last, conical) in [(half(0, -1, 2), true), (half(0, -1, 3), false)] {
+        let images = [half(1, 0, 2), half(0, 1, 2), half(-1, 0, 2), last];
+        let planes = images.each_ref().map(OrientedPlane::of_isotropic);
+        let origin = Point::new(q(0), q(0), q(0));
+        let edge = |i: usize| &origin + &planes[(i + 3) % 4].normal().cross(planes[i].normal());
+        let points = std::iter::once(origin.clone()).chain((0..4).map(edge)).collect();
+        let mut faces = FaceList::new();
+        (0..4).for_each(|i| faces.push([0, 1 + i, 1 + (i + 1) % 4]));
+        let mesh = Mesh::new(points, faces).expect("a pyramid");
+        assert_eq!(oriented_planes(&mesh).as_deref(), Ok(&planes[..]));
+        assert_eq!(verdict(&mesh, Property::Conical) == Verdict::Proved, conical);
+        match circular_image(&mesh, &planes) {
+            Ok(image) => assert!(conical && image.points == images),
+            Err(reason) => {
+                assert!(!conical);
+                assert!(matches!(reason, NoTransfer::NotConical { vertex: VertexId(0), .. }));
+            }
+        }
+    }
 }
 
 /// Triangles in doubles: observed, not proved.

@@ -64,7 +64,8 @@ pub fn conical_image<T: Field>(mesh: &Mesh<T>) -> Result<EuclideanImage<T>, NoTr
 /// those of its vertices, its incircle.
 ///
 /// The vertices are those of the cones that belong to the incircles; the edges of the Gauss image
-/// touch the unit sphere.
+/// touch the unit sphere. A vertex v of M with the radius r becomes a face in the plane
+/// `2v₁x + 2v₂y + (1 − n)z + 2v₃ = 0` with `n = |v'|² − r²`, which is that of (12) if `r = 0`.
 ///
 /// # Errors
 /// Vertex circles that do not touch or have no common orthogonal circle, a face that is not planar or

@@ -57,12 +57,24 @@ fn invert() {
 fn transfer() {
     let shell = shell();
     shell.file("moved.iso.json", shell.cat("bowl.iso.json").replace("\"1/16\"", "\"1/15\""));
+    // Stored planes that do not fit.
+    shell.line("transfer bowl.iso.json --to euclidean -o n.iso.json");
+    let (mesh, data) = shell
+        .cat("n.iso.json")
+        .split_once("\"h\":[")
+        .map_or_else(|| panic!("heights"), |(mesh, data)| (mesh.to_owned(), data.to_owned()));
+    let heights = data.replacen('"', "\"9", 1);
+    shell.file("higher.iso.json", format!("{mesh}\"h\":[{heights}"));
+    let normals = data.replace("\"n1\":[\"-", "\"n1\":[\"-9");
+    shell.file("longer.iso.json", format!("{mesh}\"h\":[{normals}"));
     assert_snapshot!(shell.session(&[
         "transfer bowl.iso.json --to euclidean -o n.iso.json --gauss s.iso.json",
         "check n.iso.json --is planar,conical",
         "check n.iso.json --with s.iso.json --is parallel",
         "transfer n.iso.json --to isotropic -o back.iso.json",
         "cat back.iso.json",
+        "transfer longer.iso.json --to isotropic -o none.obj",
+        "transfer higher.iso.json --to isotropic -o none.obj",
         "transfer bowl.iso.json --to euclidean -o n.obj --format json -d 2",
         "check n.obj --is conical",
         "transfer n.obj --to isotropic -o none.obj",
@@ -129,6 +141,27 @@ fn exit_codes() {
         assert_eq!(shell.line(line).code, code, "isogeo {line}");
     }
     assert!(!shell.path("none.obj").exists());
+}
+
+/// That four points lie on an i-circle does not change under i-M-transformations.
+#[test]
+fn inversions_keep_circular_faces() {
+    let shell = shell();
+    let failed = |file: &str| {
+        let report = shell.run(&["check", file, "--is", "i-circular", "--format", "json"]).json();
+        let found = &report["properties"][0];
+        (found["verdict"].clone(), found["failed"].clone(), found["checked"].clone())
+    };
+    for file in
+        ["sigma.iso.json", "twisted.iso.json", "kite.obj", "bowl.iso.json", "enneper.iso.json"]
+    {
+        let before = failed(file);
+        for how in ["--at=-7/3,8/5", "--at=9,1/7", "--sphere=3,1/2,-1,5", "--sphere=0,2,1,0"] {
+            let run = shell.run(&["invert", file, how, "-o", "i.iso.json"]);
+            assert_eq!(run.code, 0, "{}", run.err);
+            assert_eq!(failed("i.iso.json"), before, "{file} {how}");
+        }
+    }
 }
 
 /// What cannot be seen in the digits is not denied.
