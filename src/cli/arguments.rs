@@ -335,6 +335,9 @@ fn families_help() -> String {
             &format!("  {} --n {m}x{n}{parameters}\n      {}\n", family.name(), family.summary());
     }
     text + "\
+  koebe -p mesh=FILE [-p outer=N]
+      the i-Koebe mesh with these combinatorics, in doubles: all edges touch the unit i-sphere; with
+      a boundary its radii are data.vertex.radius of the file or 1, a closed mesh is closed by face N
 Values are integers, decimals or fractions; vertex radii are written as data.vertex.radius.
 Examples:
   isogeo make enneper --n 8x8 -p center=4,4 -o enneper
