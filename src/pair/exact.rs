@@ -35,7 +35,7 @@ use crate::space::{Point, TopView, Vector2};
 /// let mesh = Mesh::new(points, faces)?;
 /// let pair = ExactPair::lifted(&mesh.topology, ExactPoints::from(&mesh.points[..]));
 /// let curvatures = pair.vertex_curvatures(VertexId(0)).map(|c| c.reduced::<Rational>());
-/// assert_eq!(curvatures.map(|c| c.mean), Ok(Rational::from_i64(3)));
+/// assert_eq!(curvatures.map(|c| c.map(|c| c.mean)), Ok(Some(Rational::from_i64(3))));
 /// # Ok::<(), isogeo::mesh::TopologyError>(())
 /// ```
 #[derive(Clone, Debug)]
