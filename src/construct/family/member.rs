@@ -78,12 +78,7 @@ impl Family {
         match self {
             Family::Paraboloid => paraboloid([m, n], values),
             Family::Saddle => whole(saddle(m, n)),
-            Family::Enneper => {
-                let middle = || TopView::new(integer(m / 2), integer(n / 2));
-                let given = values.text("center") != "middle";
-                let centre = if given { values.top_view("center")? } else { middle() };
-                whole(enneper(m, n, &centre))
-            }
+            Family::Enneper => whole(enneper(m, n, &values.top_view("center")?)),
             Family::Logarithmoid => whole(logarithmoid(m, n, &values.half_angle()?)),
             Family::Helicoid => {
                 let surface = helicoid(m, n, &values.half_angle()?).map_err(no)?;
@@ -93,11 +88,13 @@ impl Family {
                 whole(bonnet(m, n, &values.half_angle()?, &values.top_view("center")?))
             }
             Family::Weierstrass => {
+                small([m, n], 6)?;
                 let mean = values.number("mean")?;
                 let data = holomorphic_data([m, n], values.seed("seed")?);
                 whole(Weierstrass::new(&data).and_then(|data| data.constant_mean(&mean)))
             }
             Family::CircularNet => {
+                small([m, n], 6)?;
                 let surface = random_circular_net([m, n], values.seed("seed")?)?;
                 let start = VertexId((m / 2 * (n + 1) + n / 2) as u32);
                 let mean = mean_gradient(&surface, start).map_err(no)?;
@@ -107,6 +104,7 @@ impl Family {
                 Ok(Member { surface, gauss })
             }
             Family::ConicalNet => {
+                small([m, n], 4)?;
                 let net = random_circular_net([m + 1, n + 1], values.seed("seed")?)?;
                 let surface = metric_dual(&net).map_err(no)?;
                 let pair = circumscribed_f_parallel(&surface).map_err(no)?.pair;
@@ -128,6 +126,14 @@ impl Family {
             }
         }
     }
+}
+
+/// Refuses nets whose numbers would have too many digits to be read again.
+fn small(size: [usize; 2], most: usize) -> Result<(), NoMember> {
+    if size.iter().all(|&n| n <= most) {
+        return Ok(());
+    }
+    Err(no(format!("digits grow exponentially with the size: at most {most}x{most} faces")))
 }
 
 fn integer(n: usize) -> Q {
@@ -288,16 +294,16 @@ impl Chance {
     }
 
     fn near(&mut self, n: usize, parts: i64) -> Q {
-        integer(n) + Q::from_ratio(self.within(parts / 8), parts)
+        integer(n) + Q::from_ratio(self.within(1), parts)
     }
 }
 
 fn holomorphic_data([m, n]: [usize; 2], seed: u64) -> WeierstrassData<Q> {
     let mut chance = Chance(seed);
-    let mut near = |i, j| Vector2::new(chance.near(i, 16), chance.near(j, 16));
+    let mut near = |i, j| Vector2::new(chance.near(i, 128), chance.near(j, 128));
     let rows = (0..=m).map(|i| near(i, 0)).collect();
     let columns = (1..=n).map(|j| near(0, j)).collect();
-    let mut factor = |sign: i64| Q::from_ratio(sign * (8 + chance.within(2)), 8);
+    let mut factor = |sign: i64| Q::from_ratio(sign * (64 + chance.within(1)), 64);
     let alpha = (0..m).map(|_| factor(1)).collect();
     let beta = (0..n).map(|_| factor(-1)).collect();
     WeierstrassData { rows, columns, alpha, beta }
@@ -306,16 +312,16 @@ fn holomorphic_data([m, n]: [usize; 2], seed: u64) -> WeierstrassData<Q> {
 fn random_circular_net([m, n]: [usize; 2], seed: u64) -> Result<Mesh<Q>, NoMember> {
     let mut chance = Chance(seed);
     let mut near = |i: usize, j: usize| {
-        let (x, y) = (chance.near(i, 16), chance.near(j, 16));
+        let (x, y) = (chance.near(i, 128), chance.near(j, 128));
         let bowl = integer(i * i + 2 * j * j) * Q::from_ratio(1, 8);
-        let z = bowl + Q::from_ratio(chance.within(1), 16);
+        let z = bowl + Q::from_ratio(chance.within(1), 128);
         Point::new(x, y, z)
     };
     let rows: Vec<_> = (0..=m).map(|i| near(i, 0)).collect();
     let corner = rows[0].clone();
     let columns: Vec<_> = std::iter::once(corner).chain((1..=n).map(|j| near(0, j))).collect();
-    let factors: Vec<i64> = (0..m * n).map(|_| 8 + chance.within(1)).collect();
-    let net = circular_net(&rows, &columns, |i, j| Q::from_ratio(factors[i * n + j], 16));
+    let factors: Vec<i64> = (0..m * n).map(|_| 64 + chance.within(1)).collect();
+    let net = circular_net(&rows, &columns, |i, j| Q::from_ratio(factors[i * n + j], 128));
     let net = net.ok_or_else(|| no("the net meets a degenerate face: another seed may do"))?;
     let mesh = net.map_err(no)?;
     Ok(Mesh { data: Data::default(), ..mesh })

@@ -145,11 +145,11 @@ impl Family {
     pub fn size(self) -> [usize; 2] {
         match self {
             Family::Paraboloid | Family::Saddle => [12, 12],
-            Family::Enneper => [16, 16],
+            Family::Enneper => [8, 8],
             Family::Logarithmoid | Family::Helicoid => [8, 14],
-            Family::Bonnet => [10, 14],
-            Family::Weierstrass => [5, 5],
-            Family::CircularNet | Family::ConicalNet => [5, 5],
+            Family::Bonnet => [6, 14],
+            Family::Weierstrass | Family::ConicalNet => [4, 4],
+            Family::CircularNet => [5, 5],
             Family::TriangleGraph => [12, 12],
             Family::RotationalCmc | Family::RotationalConstantK => [12, 14],
             Family::HexMinimal | Family::HexCmc | Family::HexConstantK => [6, 14],
@@ -162,10 +162,9 @@ impl Family {
         match self {
             Family::Paraboloid => const { &[parameter("curvatures", "1,1/2")] },
             Family::Saddle => &[],
-            // The middle of the grid, for any size.
-            Family::Enneper => const { &[parameter("center", "middle")] },
+            Family::Enneper => const { &[parameter("center", "0,0")] },
             Family::Logarithmoid | Family::Helicoid => const { &[SECTOR] },
-            Family::Bonnet => const { &[SECTOR, parameter("center", "-9,1/3")] },
+            Family::Bonnet => const { &[SECTOR, parameter("center", "-1/2,1/5")] },
             Family::Weierstrass => const { &[parameter("seed", "1"), parameter("mean", "0")] },
             Family::CircularNet | Family::ConicalNet => const { &[parameter("seed", "1")] },
             Family::TriangleGraph => {
