@@ -55,6 +55,16 @@ fn agree<P: RationalField>(mesh: &Mesh<Q>) -> Result<(), TestCaseError> {
 }
 
 proptest! {
+    // Residuals of high degree are slow in the oracle, and none of them ends early here.
+    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+
+    #[test]
+    fn fast_and_plain_agree_where_classes_hold(mesh in prop_oneof![translational(), circular()]) {
+        agree::<Q>(&mesh)?;
+    }
+}
+
+proptest! {
     #![proptest_config(ProptestConfig { cases: 192, ..ProptestConfig::default() })]
 
     #[test]
@@ -64,11 +74,6 @@ proptest! {
 
     #[test]
     fn fast_and_plain_agree_in_general(mesh in any_mesh(fraction())) {
-        agree::<Q>(&mesh)?;
-    }
-
-    #[test]
-    fn fast_and_plain_agree_where_classes_hold(mesh in prop_oneof![translational(), circular()]) {
         agree::<Q>(&mesh)?;
     }
 

@@ -8,7 +8,7 @@ use isogeo::construct::*;
 use isogeo::mesh::{FaceId, FaceList, Mesh, VertexId};
 use isogeo::net::{Net, Property, RADIUS};
 use isogeo::pair::*;
-use isogeo::scalar::{Field, Quadratic, Rational, RationalField};
+use isogeo::scalar::{Field, Quadratic, Rational, RationalField, Ring};
 use isogeo::space::*;
 
 use super::*;
@@ -324,10 +324,31 @@ fn the_metric_dual_is_minimal_at_vertices<Q: RationalField>(draw: &mut Draw<Q>) 
     for v in m.topology.interior_vertices() {
         assert!(pair.vertex_forms(v).unwrap().mixed_measure().is_zero());
     }
-    // The planes along a row of faces pass through one point: their poles lie in a plane.
-    let at = |i: usize, j: usize| &m.points[3 * i + j];
-    assert!(at(0, 0) != at(0, 1));
     Ok(())
+}
+
+/// Rows and columns of vertices lie in planes (Fig. 8); dually, the planes of the dual along a row or
+/// a column of faces pass through one point (Fig. 9).
+#[test]
+fn parameter_lines_of_enneper_and_bonnet_are_planar() {
+    let half = Rotation::new(q::<Rational>(4, 5), q(3, 5)).unwrap();
+    let centre = TopView::new(q::<Rational>(1, 3), q(1, 5));
+    let pairs = [enneper(5, 5, &centre).unwrap(), bonnet(5, 5, &half, &centre).unwrap()];
+    for MeshPair { surface, .. } in pairs {
+        let at = |i: usize, j: usize| &surface.points[6 * i + j];
+        let volume = |p: [&Point<Rational>; 4]| {
+            let [a, b, c] = [1, 2, 3].map(|k| p[k] - p[0]);
+            Vector3::det(&a, &b, &c)
+        };
+        for i in 0..6 {
+            for k in 3..6 {
+                assert!(volume([at(i, 0), at(i, 1), at(i, 2), at(i, k)]).is_zero(), "row {i}");
+                assert!(volume([at(0, i), at(1, i), at(2, i), at(k, i)]).is_zero(), "column {i}");
+            }
+        }
+        // The control: other lines of vertices do not lie in planes.
+        assert!(!volume([at(0, 0), at(1, 1), at(2, 2), at(3, 3)]).is_zero());
+    }
 }
 
 #[test]
