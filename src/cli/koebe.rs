@@ -41,8 +41,23 @@ pub fn run(
     bar.finish_and_clear();
     let koebe = match found {
         Ok(koebe) => koebe,
-        Err(reason) => return refuse(&file.name, &reason, layout),
+        Err(reason) => {
+            let status = match reason {
+                NoPattern::Stopped(_) => Status::Open,
+                _ => Status::Refuted,
+            };
+            let reason = format!("no circle pattern: {reason}");
+            return refuse(&file.name, &reason, status, layout);
+        }
     };
+    if has_holes(file.topology()) {
+        let reason = format!(
+            "no i-Koebe mesh: the mesh is not simply connected, and around a hole the circles miss \
+             by {:.1e} of their radii",
+            koebe.gap
+        );
+        return refuse(&file.name, &reason, Status::Open, layout);
+    }
     std::fs::create_dir_all(directory).map_err(|e| {
         Failure::io(format!("the folder {} cannot be made: {e}", directory.display()))
     })?;
@@ -103,19 +118,23 @@ fn exact(mesh: &Mesh<f64>) -> Option<Mesh<Rational>> {
     all.then(|| mesh.map(exact))
 }
 
-/// Says why there is no pattern: a result, not an error.
-fn refuse(file: &str, reason: &NoPattern, layout: Layout) -> Result<Status, Failure> {
+/// Whether a component with boundary is more than a disc: then radii do not tell whether circles
+/// close around it.
+fn has_holes(topology: &Topology) -> bool {
+    let has_boundary = topology.vertices().any(|v| topology.kind(v) != VertexKind::Interior);
+    has_boundary && topology.euler_characteristic() < topology.component_count() as i64
+}
+
+/// Says why there is no mesh: a result, not an error.
+fn refuse(file: &str, reason: &str, status: Status, layout: Layout) -> Result<Status, Failure> {
     if layout.is_json() {
         output::print_json(&json!({
             "schema": "isogeo.no-koebe/1",
             "file": file,
-            "reason": reason.to_string(),
+            "reason": reason,
         }))?;
     } else {
-        output::print(&format!("{file}: no circle pattern: {reason}\n"))?;
+        output::print(&format!("{file}: {reason}\n"))?;
     }
-    Ok(match reason {
-        NoPattern::Stopped(_) => Status::Open,
-        _ => Status::Refuted,
-    })
+    Ok(status)
 }

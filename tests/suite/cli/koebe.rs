@@ -35,6 +35,15 @@ fn koebe_refuses_in_words() {
     let run = shell.run(&["make", "koebe", "-p", "mesh=thin.obj", "-o", "k"]);
     assert_eq!(run.code, 1);
     assert!(run.out.contains("1 circles ask for more angle"), "{}", run.out);
+    // A ring of quads: with any radii its circles need not close.
+    shell.file(
+        "ring.obj",
+        "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\n\
+         f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n",
+    );
+    let run = shell.run(&["make", "koebe", "-p", "mesh=ring.obj", "-o", "k"]);
+    assert_eq!(run.code, 3);
+    assert!(run.out.contains("not simply connected"), "{}", run.out);
     for (parameters, words) in [
         ("outer=3", "which mesh"),
         ("mesh=pyramid.off,outer=9", "no such face"),
