@@ -8,7 +8,7 @@ use super::cleared::{Cleared, cleared};
 use super::units::Units;
 use super::{
     Curvatures, FaceForms, Forms, OffsetResiduals, Ray, VertexForms, VertexUndefined, ZeroArea,
-    star_forms_widened, twice_area,
+    star_forms, star_forms_widened, twice_area,
 };
 use crate::mesh::{ExactPoints, FaceId, Lattice, Topology, VertexId, VertexKind, spanning_plane};
 use crate::scalar::{
@@ -162,7 +162,8 @@ impl<'a> ExactPair<'a> {
         (!lost).then(|| found.vanish())
     }
 
-    /// The measures of a vertex and its image (21), for faces that are planar in M and in S.
+    /// The measures of a vertex and its image (21). Faces that are not planar count with the
+    /// triangles between consecutive edges at the vertex.
     ///
     /// # Errors
     /// Where the faces around the vertex form no closed cycle, or one is vertical.
@@ -261,8 +262,19 @@ impl<'a> ExactPair<'a> {
         (!found.scale.is_overflown()).then_some(found)
     }
 
-    /// The forms of a star from the gradients of its faces.
+    /// The forms of a star in fractions: as in integers, and where an edge runs straight on from the
+    /// gradients of the faces.
     fn rational_star(&self, vertex: VertexId) -> Result<Forms<Fraction<BigInt>>, VertexUndefined> {
+        let (m, s) = (self.mesh.point(vertex), self.image_point(vertex));
+        let targets = self.topology.star(vertex).map(|h| self.topology.target(h));
+        let rays = targets.map(|v| {
+            let e = &self.mesh.point(v) - &m;
+            let rise = self.image_point(v).z - &s.z;
+            Ray { edge: e.top_view(), rise: [e.z, rise] }
+        });
+        if let Some((forms, scale)) = star_forms(&rays.collect::<Vec<_>>()) {
+            return Ok(fractions(&forms.map(|n| n / &scale)));
+        }
         let gradients = |point: &dyn Fn(VertexId) -> Point<Rational>| {
             let faces = self.topology.star(vertex).map(|h| self.topology.face_at(h));
             let gradient = |face| {

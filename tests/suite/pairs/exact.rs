@@ -214,6 +214,31 @@ fn a_straight_corner_takes_its_gradient_from_elsewhere() {
     assert_eq!(exact.vertex_forms(CENTRE), Err(VertexUndefined::NotAGraph(CENTRE, FACE)));
 }
 
+/// Corners span the planes, whatever the numbers are kept in: over a lattice and without one.
+#[test]
+fn faces_that_are_not_planar_count_with_their_corners() {
+    let at = |x, y, z| Point::new(x, y, z).map(|&n| Rational::from_i64(n));
+    let heights = [1, 5, 2, 0, 3, 7, 4, 1, 9];
+    let grid = (0..9).map(|i| at(i / 3, i % 3 + i * i % 2, heights[i as usize]));
+    let m = Mesh::new(grid.collect(), quad_patch(2, 2)).unwrap();
+    let centre = VertexId(4);
+    let scaled = |f: &Rational| {
+        let points = m.points.iter().map(|p| Point::new(&p.x * f, &p.y * f, &p.z * f.square()));
+        Mesh { points: points.collect(), ..m.clone() }
+    };
+    // The same star over a denominator that no lattice holds: (22) does not change.
+    let tiny = (0..300).fold(Rational::from_i64(1), |f, _| f * q::<Rational>(1, 3));
+    let curvatures = [m.clone(), scaled(&tiny)].map(|m| {
+        let is_lattice = matches!(points(&m), ExactPoints::Lattice(_));
+        let curvatures = ExactPair::lifted(&m.topology, points(&m)).vertex_curvatures(centre);
+        (is_lattice, curvatures.ok().and_then(|c| c.reduced::<Rational>()))
+    });
+    assert_eq!((curvatures[0].0, curvatures[1].0), (true, false));
+    assert!(curvatures[0].1.is_some() && curvatures[0].1 == curvatures[1].1);
+    // The control: the planes through other corners are others.
+    assert!(VParallel::new(&m, &lift(&m)).is_err());
+}
+
 /// Quads of an i-circular net have the gradients of their corners.
 #[test]
 fn vertices_of_quads_are_those_of_their_lift() {
