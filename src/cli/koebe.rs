@@ -33,6 +33,10 @@ pub fn run(
     }
     let path = mesh.ok_or_else(|| Failure::with_help("koebe: which mesh?", HELP))?;
     let file = file::read(path)?;
+    if let Some(reason) = no_disc(file.topology()) {
+        let reason = format!("no i-Koebe mesh is sought: {reason}");
+        return refuse(&file.name, &reason, Status::Open, layout);
+    }
     let bar = output::progress(file.topology().face_count(), "finding the circle pattern");
     let found = match &file.coordinates {
         Coordinates::Numerals(mesh) => koebe(&mesh.topology, None, outer)?,
@@ -50,14 +54,6 @@ pub fn run(
             return refuse(&file.name, &reason, status, layout);
         }
     };
-    if has_holes(file.topology()) {
-        let reason = format!(
-            "no i-Koebe mesh: the mesh is not simply connected, and around a hole the circles miss \
-             by {:.1e} of their radii",
-            koebe.gap
-        );
-        return refuse(&file.name, &reason, Status::Open, layout);
-    }
     std::fs::create_dir_all(directory).map_err(|e| {
         Failure::io(format!("the folder {} cannot be made: {e}", directory.display()))
     })?;
@@ -118,11 +114,16 @@ fn exact(mesh: &Mesh<f64>) -> Option<Mesh<Rational>> {
     all.then(|| mesh.map(exact))
 }
 
-/// Whether a component with boundary is more than a disc: then radii do not tell whether circles
-/// close around it.
-fn has_holes(topology: &Topology) -> bool {
-    let has_boundary = topology.vertices().any(|v| topology.kind(v) != VertexKind::Interior);
-    has_boundary && topology.euler_characteristic() < topology.component_count() as i64
+/// Why radii at the boundary do not determine how the circles lie: a component with boundary is no
+/// disc.
+fn no_disc(topology: &Topology) -> Option<&'static str> {
+    let is = |kind| topology.vertices().any(|v| topology.kind(v) == kind);
+    if is(VertexKind::Pinched) {
+        return Some("the mesh is pinched at a vertex");
+    }
+    let has_holes = topology.euler_characteristic() < topology.component_count() as i64;
+    (is(VertexKind::Boundary) && has_holes)
+        .then_some("the mesh is not simply connected: around a hole the circles need not close")
 }
 
 /// Says why there is no mesh: a result, not an error.

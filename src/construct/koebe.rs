@@ -5,7 +5,7 @@
 //! planes cut Σ over the face circles. The radii are kept with the mesh, as a certificate; only with
 //! their signs do they tell which way a circle was turned by an inversion.
 
-use crate::mesh::{FaceId, FaceList, Mesh, NoPlane, TopologyError};
+use crate::mesh::{Data, FaceId, FaceList, Mesh, NoPlane, Topology, TopologyError};
 use crate::net::RADIUS;
 use crate::scalar::{Field, Ring};
 use crate::space::{Dual, OrientedCircle};
@@ -29,10 +29,15 @@ pub fn koebe_mesh<T: Field>(
     circles: Vec<OrientedCircle<T>>,
     faces: FaceList,
 ) -> Result<Mesh<T>, TopologyError> {
-    let mut mesh = Mesh::new(circles.iter().map(OrientedCircle::pole).collect(), faces)?;
-    let radii = circles.into_iter().map(|circle| circle.radius).collect();
-    mesh.data.vertex.insert(RADIUS.to_owned(), radii);
-    Ok(mesh)
+    Ok(poles(Topology::new(circles.len(), faces)?, circles))
+}
+
+/// The same on combinatorics with as many vertices as there are circles.
+pub(super) fn poles<T: Field>(topology: Topology, circles: Vec<OrientedCircle<T>>) -> Mesh<T> {
+    let points = circles.iter().map(OrientedCircle::pole).collect();
+    let mut data = Data::default();
+    data.vertex.insert(RADIUS.to_owned(), circles.into_iter().map(|c| c.radius).collect());
+    Mesh { topology, points, data }
 }
 
 /// The vertex circles of a mesh, if it has radii: centres are the top views of the vertices.

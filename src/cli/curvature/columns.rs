@@ -21,15 +21,16 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// Adds one more element; where H and K are undefined, all three are 0.
+    /// Adds one more element; where H and K are undefined, or beyond the range of doubles in a file
+    /// of doubles, all three are 0.
     pub fn add(&mut self, row: Row) {
         let (mean, gauss, defined) = match (row.found, row.exact) {
             (Ok(_), Some(exact)) => (exact.mean, exact.gauss, Rational::one()),
-            (Ok(short), None) => {
+            (Ok(short), None) if short.values.iter().all(|x| x.is_finite()) => {
                 let [mean, gauss] = short.values.map(double);
                 (mean, gauss, Rational::one())
             }
-            (Err(_), _) => (Rational::zero(), Rational::zero(), Rational::zero()),
+            _ => (Rational::zero(), Rational::zero(), Rational::zero()),
         };
         self.mean.push(mean);
         self.gauss.push(gauss);

@@ -1,8 +1,8 @@
 //! i-Koebe meshes over circle patterns: every edge touches Σ (Sec. 3.4).
 
 use super::{CirclePattern, Layout, NoPattern};
-use crate::mesh::{Data, FaceId, Mesh, Topology, VertexId};
-use crate::net::RADIUS;
+use crate::construct::koebe::poles;
+use crate::mesh::{FaceId, Mesh, Topology, VertexId};
 use crate::space::{OrientedCircle, TopView};
 
 /// An i-Koebe mesh in doubles, with the radii of its vertex circles as data `radius`.
@@ -24,7 +24,7 @@ impl CirclePattern<'_> {
         let circles = layout.vertices.iter().zip(&self.vertex_radii);
         let circles = circles.map(|(&centre, &radius)| OrientedCircle { centre, radius });
         Koebe {
-            mesh: poles(self.topology(), circles.collect()),
+            mesh: poles(self.topology().clone(), circles.collect()),
             defect: self.defect,
             gap: layout.gap,
         }
@@ -43,35 +43,41 @@ impl Koebe {
     pub fn closed(topology: &Topology, outer: FaceId) -> Result<Koebe, NoPattern> {
         let pattern = CirclePattern::sphere(topology, far_from(topology, outer))?;
         let layout = pattern.layout();
-        let (centre, radius) = (layout.faces[outer.index()], pattern.face_radius(outer));
         let pole = beside(&pattern, &layout, outer);
         // The inversion at a point of the outer face circle that lies in no vertex circle.
-        let power = |c: &TopView<f64>, r: f64| (c - &pole).length2() - r * r;
-        let inverted = |v: VertexId| match layout.lines.get(&v) {
-            None => {
-                let (c, r) = (layout.vertices[v.index()], pattern.vertex_radius(v));
-                let power = power(&c, r);
-                (&pole + &(&c - &pole).scaled(&power.recip()), r / power)
-            }
-            Some([a, b]) => {
-                let along = b - a;
-                let factor = (&pole - a).dot(&along) / along.length2();
-                let foot = &(a + &along.scaled(&factor)) - &pole;
-                let diameter = foot.length2().sqrt().recip();
-                (&pole + &foot.scaled(&(diameter * diameter / 2.0)), diameter / 2.0)
-            }
+        let nothing = NoPattern::Stopped(pattern.defect);
+        let inverted = |centre: TopView<f64>, radius: f64| {
+            OrientedCircle { centre, radius }.inverted(&pole).ok_or(nothing.clone())
         };
-        let power = power(&centre, radius);
-        let middle = &pole + &(&centre - &pole).scaled(&power.recip());
-        let unit = (power / radius).abs();
+        let rim = inverted(layout.faces[outer.index()], pattern.face_radius(outer))?;
+        let unit = rim.radius.abs().recip();
         let circle = |v: VertexId| {
-            let (c, r) = inverted(v);
-            let c = (&c - &middle).scaled(&unit);
-            OrientedCircle { centre: TopView::new(c.x, c.y), radius: r * unit }
+            let image = match layout.lines.get(&v) {
+                None => inverted(layout.vertices[v.index()], pattern.vertex_radius(v))?,
+                Some(line) => of_line(line, &pole),
+            };
+            let centre = (&image.centre - &rim.centre).scaled(&unit);
+            let centre = TopView::new(centre.x, centre.y);
+            Ok(OrientedCircle { centre, radius: image.radius * unit })
         };
-        let mesh = poles(topology, topology.vertices().map(circle).collect());
-        Ok(Koebe { mesh, defect: pattern.defect, gap: layout.gap })
+        let circles = topology.vertices().map(circle).collect::<Result<_, NoPattern>>()?;
+        Ok(Koebe {
+            mesh: poles(topology.clone(), circles),
+            defect: pattern.defect,
+            gap: layout.gap,
+        })
     }
+}
+
+/// The image of the line through two points under the inversion at a point beside it: the circle
+/// through this point.
+fn of_line([a, b]: &[TopView<f64>; 2], at: &TopView<f64>) -> OrientedCircle<f64> {
+    let along = b - a;
+    let factor = (at - a).dot(&along) / along.length2();
+    let foot = &(a + &along.scaled(&factor)) - at;
+    let diameter = foot.length2().sqrt().recip();
+    let centre = at + &foot.scaled(&(diameter * diameter / 2.0));
+    OrientedCircle { centre, radius: diameter / 2.0 }
 }
 
 /// A vertex with an edge that is not one of the face, as far as there is one: there lines are put.
@@ -101,12 +107,4 @@ fn beside(pattern: &CirclePattern<'_>, layout: &Layout, face: FaceId) -> TopView
     let radius = pattern.face_radius(face);
     let length = radius * radius / (4.0 * farthest);
     centre + &normal.scaled(&(side * length / normal.length2().sqrt()))
-}
-
-/// The mesh of the poles of vertex circles, with their radii.
-fn poles(topology: &Topology, circles: Vec<OrientedCircle<f64>>) -> Mesh<f64> {
-    let points = circles.iter().map(OrientedCircle::pole).collect();
-    let mut data = Data::default();
-    data.vertex.insert(RADIUS.into(), circles.into_iter().map(|c| c.radius).collect());
-    Mesh { topology: topology.clone(), points, data }
 }

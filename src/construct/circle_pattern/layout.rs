@@ -22,8 +22,8 @@ pub struct Layout {
 
 impl CirclePattern<'_> {
     /// Places the circles in the plane: the first edge of the first face of each component begins at
-    /// the origin and runs along x; every other face follows from a neighbour. Lines have no centre
-    /// and faces beside them are not placed: their coordinates are not numbers.
+    /// the origin and runs along x; every other face follows from a neighbour. Lines have no centre:
+    /// their coordinates are not numbers.
     pub fn layout(&self) -> Layout {
         let topology = self.topology();
         let nowhere = TopView::new(f64::NAN, f64::NAN);

@@ -19,7 +19,7 @@ mod sparse;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-use crate::mesh::{Topology, VertexId, VertexKind};
+use crate::mesh::{HalfEdge, Topology, VertexId, VertexKind};
 pub use angles::CircleCondition;
 use angles::{Circles, Linearised};
 pub use koebe::Koebe;
@@ -246,14 +246,8 @@ fn newton(circles: &Circles<'_>) -> Result<Found, NoPattern> {
     let mut defect = largest(&at.excess);
     // What is left of sums of a few angles of size π.
     let rounding = 16.0 * f64::EPSILON * PI;
-    while steps.len() < MOST {
-        if defect <= rounding {
-            // Angles are met in the limit, too, where radii run away and no kite is left.
-            return match reduced.stiffness(&at) > 4096.0 * rounding {
-                true => Ok(Found { x, defect, steps }),
-                false => Err(diverged(circles, &x, 2.0 * defect)),
-            };
-        }
+    let mut arrived = defect <= rounding;
+    while !arrived && steps.len() < MOST {
         let (matrix, right) = reduced.system(&at);
         let solver = multigrid.take().unwrap_or_else(|| Multigrid::new(&matrix));
         // No more digits than the step can make use of.
@@ -282,12 +276,17 @@ fn newton(circles: &Circles<'_>) -> Result<Found, NoPattern> {
             factor /= 2.0;
         };
         let reached = largest(&next.1.excess);
-        if reached >= defect && defect <= 1024.0 * rounding {
-            // Nothing but rounding is left.
-            return Ok(Found { x, defect, steps });
+        // Where the angles get no better any more, nothing but rounding is left.
+        arrived = reached >= defect && defect <= 1024.0 * rounding;
+        if !arrived {
+            (x, at) = next;
+            defect = reached;
+            arrived = defect <= rounding;
         }
-        (x, at) = next;
-        defect = reached;
+    }
+    // Angles are met in the limit, too, where radii run away and no kite is left.
+    if arrived && reduced.stiffness(&at) > 4096.0 * rounding {
+        return Ok(Found { x, defect, steps });
     }
     Err(diverged(circles, &x, 2.0 * defect))
 }
@@ -334,7 +333,7 @@ fn diverged(circles: &Circles<'_>, x: &[f64], defect: f64) -> NoPattern {
         })
         .sum();
     let kites = (0..circles.topology.corner_count() as u32).filter(|&c| {
-        let (v, f) = circles.ends(crate::mesh::HalfEdge(c));
+        let (v, f) = circles.ends(HalfEdge(c));
         is_small[v] || is_small[f]
     });
     let possible = PI * kites.count() as f64;

@@ -44,6 +44,9 @@ fn koebe_refuses_in_words() {
     let run = shell.run(&["make", "koebe", "-p", "mesh=ring.obj", "-o", "k"]);
     assert_eq!(run.code, 3);
     assert!(run.out.contains("not simply connected"), "{}", run.out);
+    let run = shell.run(&["make", "koebe", "-p", "mesh=pinched.obj", "-o", "k"]);
+    assert_eq!(run.code, 3);
+    assert!(run.out.contains("pinched at a vertex"), "{}", run.out);
     for (parameters, words) in [
         ("outer=3", "which mesh"),
         ("mesh=pyramid.off,outer=9", "no such face"),
