@@ -5,6 +5,7 @@ mod exact_points;
 mod face_plane;
 pub mod file;
 mod topology;
+mod topology_error;
 
 use std::collections::BTreeMap;
 
@@ -15,7 +16,8 @@ pub(crate) use exact_points::common_multiple;
 pub use exact_points::{ExactPoints, Lattice};
 pub use face_plane::NoPlane;
 pub(crate) use face_plane::spanning_plane;
-pub use topology::{FaceId, FaceList, HalfEdge, Topology, TopologyError, VertexId, VertexKind};
+pub use topology::{FaceId, FaceList, HalfEdge, Topology, VertexId, VertexKind};
+pub use topology_error::TopologyError;
 
 /// A mesh: combinatorics, a point for every vertex, and named values on its elements.
 ///

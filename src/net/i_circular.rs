@@ -4,8 +4,8 @@
 //! themselves. A vertical face has no i-circle of elliptic type and is *undefined*.
 
 use super::Judge;
-use super::planar::{self, Position};
-use crate::check::{Answer, Decide, Outcome, Reason, Residual};
+use super::planar;
+use crate::check::{Answer, Decide, Outcome, Residual};
 use crate::mesh::{FaceId, VertexId};
 use crate::scalar::{Ring, det3};
 use crate::space::Point;
@@ -52,14 +52,8 @@ pub(super) fn distinct<T: Copy>(list: &[T], same: impl Fn(T, T) -> bool) -> Opti
 }
 
 pub(super) fn outcome<D: Decide>(judge: &Judge<'_, D>, face: FaceId) -> Outcome<D::Value> {
-    let shape = judge.net.shape(face);
-    match shape.position {
-        _ if shape.planar == Answer::Nonzero => {
-            return Outcome::Fails(planar::failure(judge, face));
-        }
-        Position::Vertical => return Outcome::Undefined(Reason::VerticalFace(face)),
-        Position::Collinear => return Outcome::Undefined(Reason::CollinearFace(face)),
-        Position::Graph => {}
+    if let Some(outcome) = planar::no_graph(judge, face) {
+        return outcome;
     }
     let corners = judge.topology().face(face);
     if corners.len() == 3 {
@@ -67,6 +61,6 @@ pub(super) fn outcome<D: Decide>(judge: &Judge<'_, D>, face: FaceId) -> Outcome<
     }
     let places = places(judge.decide(), corners);
     let circular = places.iter().map(|&at| judge.decide().decide(Concyclic, at)).max();
-    let answer = circular.unwrap_or(Answer::Zero).max(shape.planar);
+    let answer = circular.unwrap_or(Answer::Zero).max(judge.net.shape(face).planar);
     Outcome::of(answer, || judge.worst("concyclic", Concyclic, places.into_iter()))
 }

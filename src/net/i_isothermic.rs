@@ -12,7 +12,7 @@
 //! vertices of odd valence.
 
 use super::i_conical::product;
-use super::planar::{self, Position};
+use super::planar;
 use super::star::{MOST, USUAL, no_proper_quad, padded, ring_of_quads, undefined_face};
 use super::{Judge, i_circular};
 use crate::check::{Answer, Decide, Element, Outcome, Reason, Residual};
@@ -96,21 +96,15 @@ pub(super) fn outcome<D: Decide>(judge: &Judge<'_, D>, element: Element) -> Outc
 }
 
 fn tangential<D: Decide>(judge: &Judge<'_, D>, face: FaceId) -> Outcome<D::Value> {
-    let shape = judge.net.shape(face);
-    match shape.position {
-        _ if shape.planar == Answer::Nonzero => {
-            return Outcome::Fails(planar::failure(judge, face));
-        }
-        Position::Vertical => return Outcome::Undefined(Reason::VerticalFace(face)),
-        Position::Collinear => return Outcome::Undefined(Reason::CollinearFace(face)),
-        Position::Graph => {}
+    if let Some(outcome) = planar::no_graph(judge, face) {
+        return outcome;
     }
     if judge.topology().face(face).len() == 3 {
         return Outcome::Trivial;
     }
     let places = poles(judge, face);
     let answer = places.iter().map(|&at| judge.decide().decide(CoplanarPoles, at)).max();
-    Outcome::of(answer.unwrap_or(Answer::Zero).max(shape.planar), || {
+    Outcome::of(answer.unwrap_or(Answer::Zero).max(judge.net.shape(face).planar), || {
         judge.worst("coplanar poles of the circles", CoplanarPoles, places.into_iter())
     })
 }

@@ -7,9 +7,9 @@
 //! line in the top view, where a ratio is 0 or infinite.
 
 use super::Judge;
-use super::planar::{self, Position};
+use super::planar;
 use super::star::{MOST, USUAL, no_proper_quad, padded, ring_of_quads, undefined_face};
-use crate::check::{Answer, Decide, Element, Outcome, Reason, Residual};
+use crate::check::{Decide, Element, Outcome, Reason, Residual};
 use crate::mesh::{FaceId, HalfEdge, VertexId};
 use crate::scalar::Ring;
 use crate::space::Point;
@@ -50,15 +50,12 @@ pub(super) fn outcome<D: Decide>(judge: &Judge<'_, D>, element: Element) -> Outc
 }
 
 fn face_outcome<D: Decide>(judge: &Judge<'_, D>, face: FaceId) -> Outcome<D::Value> {
-    let shape = judge.net.shape(face);
-    match shape.position {
-        _ if shape.planar == Answer::Nonzero => Outcome::Fails(planar::failure(judge, face)),
-        Position::Vertical => Outcome::Undefined(Reason::VerticalFace(face)),
-        Position::Collinear => Outcome::Undefined(Reason::CollinearFace(face)),
-        Position::Graph => match no_proper_quad(judge, face) {
-            Some(reason) => Outcome::Undefined(reason),
-            None => Outcome::of(shape.planar, || planar::failure(judge, face)),
-        },
+    if let Some(outcome) = planar::no_graph(judge, face) {
+        return outcome;
+    }
+    match no_proper_quad(judge, face) {
+        Some(reason) => Outcome::Undefined(reason),
+        None => Outcome::of(judge.net.shape(face).planar, || planar::failure(judge, face)),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Planar meshes: all points of a face lie in one plane (Sec. 3.1).
 
 use super::Judge;
-use crate::check::{Answer, Decide, Failure, Outcome, Residual};
+use crate::check::{Answer, Decide, Failure, Outcome, Reason, Residual};
 use crate::mesh::{FaceId, VertexId};
 use crate::scalar::{Ring, Sign};
 use crate::space::{Point, Vector3};
@@ -162,6 +162,17 @@ pub(super) fn outcome<D: Decide>(judge: &Judge<'_, D>, face: FaceId) -> Outcome<
         return Outcome::Trivial;
     }
     Outcome::of(judge.net.shape(face).planar, || failure(judge, face))
+}
+
+/// What is to be said of a face that is not planar, or whose plane is isotropic or not determined.
+pub(super) fn no_graph<D: Decide>(judge: &Judge<'_, D>, face: FaceId) -> Option<Outcome<D::Value>> {
+    let shape = judge.net.shape(face);
+    match shape.position {
+        _ if shape.planar == Answer::Nonzero => Some(Outcome::Fails(failure(judge, face))),
+        Position::Vertical => Some(Outcome::Undefined(Reason::VerticalFace(face))),
+        Position::Collinear => Some(Outcome::Undefined(Reason::CollinearFace(face))),
+        Position::Graph => None,
+    }
 }
 
 /// The worst residual of a face that is not planar.

@@ -96,7 +96,7 @@ fn the_rule_of_floors_can_fail() {
 
 #[test]
 fn topology_sees_no_coordinate() {
-    for file in ["topology.rs", "dual.rs"] {
+    for file in ["topology.rs", "topology_error.rs", "dual.rs"] {
         let code = code(&root().join("src/mesh").join(file));
         for word in ["Point", "scalar", "space", "f64"] {
             assert!(!code.contains(word), "{file} speaks of {word}");
