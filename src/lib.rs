@@ -23,6 +23,7 @@
 //! | [`net`] | classes of mesh: planar, i-circular, i-conical, ... |
 //! | [`pair`] | pairs of meshes: parallel, f-parallel, v-parallel; curvatures, linear spaces |
 //! | [`construct`] | exact families, circle patterns, metric and Christoffel duals, Gauss images, images in Euclidean space, Delaunay meshes of samples |
+//! | [`claim`] | the ledger: what the paper claims, decided for all inputs |
 //!
 //! # Example
 //!
@@ -43,6 +44,7 @@
 //! ```
 
 pub mod check;
+pub mod claim;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod construct;

@@ -1,5 +1,6 @@
 //! Commands and options.
 
+mod claims;
 mod pairs;
 mod spheres;
 
@@ -10,6 +11,7 @@ use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::scalar::ReadAs;
+pub use claims::{ClaimsCommand, ClaimsOptions, VerifyOptions};
 pub use pairs::{
     At, ChristoffelOptions, CurvatureOptions, GaussKind, GaussOptions, MakeOptions, OffsetOptions,
 };
@@ -62,6 +64,7 @@ pub enum Command {
     Transfer(TransferOptions),
     Triangulate(TriangulateOptions),
     Accuracy(AccuracyOptions),
+    Claims(ClaimsOptions),
     /// Print a completion script for a shell
     #[command(
         after_help = "Example:\n  isogeo completions bash > ~/.local/share/bash-completion/completions/isogeo"

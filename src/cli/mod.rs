@@ -4,6 +4,7 @@ mod accuracy;
 mod arguments;
 mod check;
 mod christoffel;
+mod claims;
 mod convert;
 mod curvature;
 mod dual;
@@ -98,6 +99,7 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Transfer(options) => transfer::run(&options, layout),
         Command::Triangulate(options) => triangulate::run(&options, layout),
         Command::Accuracy(options) => accuracy::run(&options, layout),
+        Command::Claims(options) => claims::run(&options, layout),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "isogeo", &mut script);

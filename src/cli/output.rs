@@ -96,7 +96,12 @@ fn keeps_data(path: &Path, mesh: &Mesh<Rational>) -> bool {
 /// How far something large has come, on a terminal; silent elsewhere.
 pub fn steps(count: usize, what: &'static str) -> ProgressBar {
     const LARGE: usize = 50_000;
-    if count < LARGE || !io::stderr().is_terminal() {
+    if count < LARGE { ProgressBar::hidden() } else { slow_steps(count, what) }
+}
+
+/// How far a few slow steps have come, on a terminal; silent elsewhere.
+pub fn slow_steps(count: usize, what: &'static str) -> ProgressBar {
+    if !io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
     let bar = ProgressBar::new(count as u64).with_message(what);

@@ -11,6 +11,7 @@
 //! | [`Dual`] | value and first derivatives over another; nests | no | as `T` |
 //! | [`Prime61`] | integers modulo the prime 2^61 − 1: fast identity tests | no | yes |
 //! | [`Residue`] | ℤ/2^(64 W): zero tests under a bound | no | yes |
+//! | [`Symbol`] | unknowns: what was done is recorded, then decided | by shadow | yes |
 //! | `f64` | doubles | yes | no |
 //! | [`Ball`] | rigorous enclosures, over `f64` or `BigInt` | where disjoint | no |
 //! | [`Variation`] | a value and its change within a box | no | no |
@@ -36,6 +37,7 @@ mod quadratic;
 mod rational;
 mod residue;
 pub(crate) mod ring;
+mod symbol;
 mod variation;
 mod wide;
 
@@ -55,5 +57,9 @@ pub(crate) use rational::ratio_to_f64;
 pub use rational::{Rational, RationalField};
 pub use residue::Residue;
 pub use ring::{DivRef, Field, Ring, RingRef, Same, det3};
+pub use symbol::{
+    Branch, Degrees, Instruction, Mutation, NodeId, NormalForms, Outcome, Polynomial, Program,
+    Quotient, Symbol, TooLarge, record,
+};
 pub use variation::Variation;
 pub use wide::Wide;

@@ -1,6 +1,7 @@
 //! The one test binary: laws, values, files, reports, and the rules of the house.
 
 mod circle_pattern;
+mod claims;
 #[cfg(feature = "cli")]
 mod cli;
 mod elimination;

@@ -1,0 +1,53 @@
+//! The command `claims`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+
+use crate::claim::Seed;
+
+/// The ledger: what the paper claims, with its evidence
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  isogeo claims list
+  isogeo claims show eq-17-18
+  isogeo claims verify eq-17-18 thm-1-f --samples 500")]
+pub struct ClaimsOptions {
+    #[command(subcommand)]
+    pub command: ClaimsCommand,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum ClaimsCommand {
+    /// List the claims: name, source, grade of evidence
+    #[command(after_help = "Example:\n  isogeo claims list")]
+    List,
+    /// Show one claim: formula, hypotheses, an example, the code that it exercises
+    #[command(after_help = "Example:\n  isogeo claims show eq-17-18")]
+    Show {
+        /// The name of the claim
+        id: String,
+    },
+    Verify(VerifyOptions),
+}
+
+/// Check claims: on random exact instances, for all inputs, and without each hypothesis
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Exit code: 0 every claim holds and shows at least what it says; 1 one does not.
+Example:
+  isogeo claims verify --samples 1000 --seed 7")]
+pub struct VerifyOptions {
+    /// The claims by name [default: all]
+    pub ids: Vec<String>,
+    /// Random instances for each piece of evidence
+    #[arg(long, value_name = "N", default_value_t = 60)]
+    pub samples: usize,
+    /// Where all that is random comes from, as printed by an earlier run [default: a new one]
+    #[arg(long, value_name = "S")]
+    pub seed: Option<Seed>,
+    /// Write the ledger as a page, in Markdown
+    #[arg(long, value_name = "FILE")]
+    pub ledger: Option<PathBuf>,
+}

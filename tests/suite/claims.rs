@@ -1,0 +1,164 @@
+//! The ledger holds; and the machine that says so can fail in every way it should.
+
+use isogeo::claim::{
+    Claim, Control, Counterexample, Evidence, Experiment, Grade, Hypothesis, Identity, Options,
+    Report, Run, Seed, Source, Trial, Verdict, claims, ledger, mutants, verify,
+};
+use isogeo::pair::twice_area;
+use isogeo::scalar::{Field, RationalField};
+use isogeo::space::TopView;
+
+fn judged(claims: &[&'static Claim]) -> Vec<Report> {
+    verify(claims, &Options { samples: 12, seed: Seed::of(1) }, &|_| {})
+}
+
+#[test]
+fn every_claim_holds_and_the_page_is_true() {
+    let reports = judged(&claims().collect::<Vec<_>>());
+    for report in &reports {
+        let id = report.claim.id;
+        assert_eq!(report.verdict(), Verdict::Holds, "{id}: {:?}", report.failures());
+    }
+    let page = std::fs::read_to_string("proofs/README.md").expect("proofs/README.md");
+    assert!(
+        page == ledger(&reports),
+        "proofs/README.md is old: isogeo claims verify --ledger proofs/README.md"
+    );
+}
+
+/// Every operation of a formula that a claim runs is needed: made wrong, a claim falls.
+#[test]
+fn every_line_of_a_formula_is_missed_when_it_is_wrong() {
+    let tallies = mutants(claims());
+    let unnoticed: Vec<String> = tallies
+        .iter()
+        .filter(|(_, tally)| tally.killed == 0)
+        .map(|((file, line), tally)| format!("{file}:{line} ({} mutants)", tally.survived))
+        .collect();
+    assert_eq!(unnoticed, [""; 0]);
+}
+
+const CONCYCLIC: &str = "x0 y1 = x1 y0";
+
+/// True, but for the hypothesis under which it is true.
+struct Trapezoid;
+
+impl Identity for Trapezoid {
+    fn run<T: Field>(trial: &mut Trial<T>) -> Run {
+        let (a, b, t) = (trial.free(), trial.free(), trial.free());
+        let (c, d) = (&a * &t, &b * &t);
+        let (c, d) = (trial.constrained(c), trial.constrained(d));
+        trial.relation(CONCYCLIC, &a * &d - &b * &c)?;
+        let triangle = [(T::zero(), T::zero()), (a, b), (c, d)].map(|(x, y)| TopView::new(x, y));
+        trial.zero("area", twice_area(&triangle));
+        Ok(())
+    }
+}
+
+/// False.
+struct Area;
+
+impl Identity for Area {
+    fn run<T: Field>(trial: &mut Trial<T>) -> Run {
+        let triangle = [(); 3].map(|()| TopView::new(trial.free(), trial.free()));
+        trial.zero("area", twice_area(&triangle));
+        Ok(())
+    }
+}
+
+/// True, but it divides by something that no hypothesis excludes.
+struct Division;
+
+impl Identity for Division {
+    fn run<T: Field>(trial: &mut Trial<T>) -> Run {
+        let (a, b) = (trial.free(), trial.free());
+        let inverse = trial.defined("always", (&a - &b).try_inv())?;
+        trial.equal("one", &(inverse * (a - b)), &T::one());
+        Ok(())
+    }
+}
+
+/// Moves something that does not matter.
+struct Idle;
+
+impl Identity for Idle {
+    fn run<T: Field>(trial: &mut Trial<T>) -> Run {
+        let a = trial.free();
+        let _ = trial.made(a.clone());
+        trial.equal("the same", &a.square(), &(&a * &a));
+        Ok(())
+    }
+}
+
+/// Has no goals.
+struct Nothing;
+
+impl Experiment for Nothing {
+    fn run<T: RationalField>(_: &mut Trial<T>) -> Run {
+        Ok(())
+    }
+}
+
+const TRUE: Claim = Claim {
+    id: "trapezoid",
+    statement: "A triangle with corners on a line through its first corner has area 0.",
+    formula: "",
+    source: Source::Ours,
+    hypotheses: &[Hypothesis::stated(CONCYCLIC)],
+    said: Grade::Decided,
+    argument: "",
+    evidence: &[Evidence::identity::<Trapezoid>("area", &[1], &[1])],
+    controls: &[Control {
+        without: CONCYCLIC,
+        shows: "the unit triangle",
+        counterexample: Counterexample::Witness(|| Ok("area: 1".into())),
+    }],
+};
+
+#[test]
+fn a_relation_is_a_hypothesis() {
+    static CLAIM: Claim = TRUE;
+    let reports = judged(&[&CLAIM]);
+    assert_eq!(reports[0].failures(), [""; 0]);
+    assert_eq!((reports[0].shown(), reports[0].verdict()), (Grade::Decided, Verdict::Holds));
+    // The counterexample, and two constrained numbers moved.
+    assert_eq!(reports[0].controls(), 3);
+}
+
+#[test]
+fn what_is_wrong_with_a_claim_is_found() {
+    const SURE: Claim = Claim { hypotheses: &[], controls: &[], ..TRUE };
+    static FALSE: Claim =
+        Claim { evidence: &[Evidence::identity::<Area>("area", &[1], &[1])], ..SURE };
+    static UNSTATED: Claim =
+        Claim { evidence: &[Evidence::identity::<Division>("division", &[1], &[1])], ..SURE };
+    static IDLE: Claim =
+        Claim { evidence: &[Evidence::identity::<Idle>("idle", &[1], &[1])], ..SURE };
+    static SAMPLED: Claim =
+        Claim { evidence: &[Evidence::identity::<Trapezoid>("area", &[], &[1])], ..TRUE };
+    static UNCONTROLLED: Claim = Claim { controls: &[], ..TRUE };
+    static HARMLESS: Claim = Claim {
+        controls: &[Control {
+            without: CONCYCLIC,
+            shows: "nothing",
+            counterexample: Counterexample::Unknowns {
+                evidence: 0,
+                size: 1,
+                unknowns: &["1", "2"],
+                constrained: &[],
+            },
+        }],
+        ..TRUE
+    };
+    static VACUOUS: Claim = Claim {
+        said: Grade::Instances,
+        evidence: &[Evidence::experiment::<Nothing>("nothing", &[1])],
+        ..SURE
+    };
+    let reports = judged(&[&FALSE, &UNSTATED, &IDLE, &SAMPLED, &UNCONTROLLED, &HARMLESS, &VACUOUS]);
+    let said: Vec<String> = reports
+        .iter()
+        .map(|r| format!("{}: {}", r.verdict().name(), r.failures().join("; ")))
+        .collect();
+    insta::assert_snapshot!(said.join("\n"));
+}
