@@ -64,10 +64,65 @@ pub(super) const CLAIMS: &[Claim] = &[
             },
         ],
     },
+    Claim {
+        id: "cmc-offset",
+        statement: "A mesh of constant mean curvature H has an offset of constant mean curvature -H.",
+        formula: "d = -1/H:  H(Fᵈ) = -H",
+        source: Source::Paper("Sec. 4, after (18)"),
+        hypotheses: &[Hypothesis::stated(MEAN), Hypothesis::silent(NOT_UMBILIC)],
+        said: Grade::Decided,
+        argument: "Face by face, since d is the same for all faces; (18) holds by eq-17-18.",
+        evidence: &[Evidence::identity::<OppositeMean>("H of the offset at d = -1/H", &[1], &[1])],
+        controls: &[
+            Control {
+                without: MEAN,
+                shows: "where H = 0 there is no such distance",
+                counterexample: unknowns(1, &["0", "-1"]),
+            },
+            Control {
+                without: NOT_UMBILIC,
+                shows: "S as its own Gauss image, H = K = 1: the offset at d = -1 is a point",
+                counterexample: unknowns(1, &["1", "1"]),
+            },
+        ],
+    },
+    Claim {
+        id: "cgc-offset",
+        statement: "A mesh of constant mean curvature H has an offset of constant curvature 4H².",
+        formula: "d = -1/(2H):  K(Fᵈ) = 4H²",
+        source: Source::Paper("Sec. 4, after (18)"),
+        hypotheses: &[Hypothesis::stated(MEAN), Hypothesis::silent(CURVED)],
+        said: Grade::Decided,
+        argument: "Face by face, since d is the same for all faces; (18) holds by eq-17-18.",
+        evidence: &[Evidence::identity::<ConstantGauss>(
+            "K of the offset at d = -1/(2H)",
+            &[1],
+            &[1],
+        )],
+        controls: &[
+            Control {
+                without: MEAN,
+                shows: "where H = 0 there is no such distance",
+                counterexample: unknowns(1, &["0", "-1"]),
+            },
+            Control {
+                without: CURVED,
+                shows: "a face with H = 1, K = 0: the area of the offset face vanishes",
+                counterexample: unknowns(1, &["1", "0"]),
+            },
+        ],
+    },
 ];
 
-const AREA: &str = "area(F) != 0";
+pub(super) const AREA: &str = "area(F) != 0";
 const OFFSET_AREA: &str = "1 + 2dH + d²K != 0, that is, area(F + dS) != 0";
+const MEAN: &str = "H != 0";
+const CURVED: &str = "K != 0";
+const NOT_UMBILIC: &str = "K != H²";
+
+const fn unknowns(size: usize, unknowns: &'static [&'static str]) -> Counterexample {
+    Counterexample::Unknowns { evidence: 0, size, unknowns, constrained: &[] }
+}
 
 fn polygon<T: Field>(trial: &mut Trial<T>) -> Vec<TopView<T>> {
     (0..trial.size()).map(|_| TopView::new(trial.free(), trial.free())).collect()
@@ -114,6 +169,46 @@ impl Identity for OffsetCurvatures {
         trial.zero("area", residuals.area);
         trial.zero("H", residuals.mean);
         trial.zero("K", residuals.gauss);
+        Ok(())
+    }
+}
+
+fn curvatures<T: Field>(trial: &mut Trial<T>) -> Curvatures<T> {
+    Curvatures { mean: trial.free(), gauss: trial.free() }
+}
+
+struct OppositeMean;
+
+impl Identity for OppositeMean {
+    fn run<T: Field>(trial: &mut Trial<T>) -> Run {
+        let face = curvatures(trial);
+        trial.nonzero(MEAN, &face.mean)?;
+        trial.nonzero(NOT_UMBILIC, &face.discriminant())?;
+        let d = trial.defined(MEAN, face.distance_to_opposite_mean())?;
+        let d = trial.made(d);
+        let offset = trial.defined(NOT_UMBILIC, face.offset(&d))?;
+        trial.show("H", &face.mean);
+        trial.show("K", &face.gauss);
+        trial.show("d", &d);
+        trial.zero("H(Fᵈ) + H", offset.mean + &face.mean);
+        Ok(())
+    }
+}
+
+struct ConstantGauss;
+
+impl Identity for ConstantGauss {
+    fn run<T: Field>(trial: &mut Trial<T>) -> Run {
+        let face = curvatures(trial);
+        trial.nonzero(MEAN, &face.mean)?;
+        trial.nonzero(CURVED, &face.gauss)?;
+        let d = trial.defined(MEAN, face.distance_to_constant_gauss())?;
+        let d = trial.made(d);
+        let offset = trial.defined(CURVED, face.offset(&d))?;
+        trial.show("H", &face.mean);
+        trial.show("K", &face.gauss);
+        trial.show("d", &d);
+        trial.equal("K(Fᵈ) = 4H²", &offset.gauss, &(T::from_i64(4) * face.mean.square()));
         Ok(())
     }
 }

@@ -16,7 +16,7 @@
 //! | `parallel` | 3.1 |
 //! | `principal` | 3.2 |
 //! | `isothermic` | 3.4 |
-//! | `curvature`, `minimal`, `vertex` | 4 |
+//! | `curvature`, `minkowski`, `minimal`, `vertex` | 4 |
 
 use std::fmt;
 
@@ -35,6 +35,7 @@ mod curvature;
 mod isothermic;
 mod laguerre;
 mod minimal;
+mod minkowski;
 mod parallel;
 mod principal;
 mod space;
@@ -147,13 +148,14 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 8] = [
+const CHAPTERS: [&[Claim]; 9] = [
     space::CLAIMS,
     laguerre::CLAIMS,
     parallel::CLAIMS,
     principal::CLAIMS,
     isothermic::CLAIMS,
     curvature::CLAIMS,
+    minkowski::CLAIMS,
     minimal::CLAIMS,
     vertex::CLAIMS,
 ];

@@ -67,7 +67,7 @@ pub(super) fn sample(claim: &Claim, evidence: &Evidence, samples: usize, seed: S
             break;
         };
         let mut source = seed.source(&purpose, index as u64);
-        let shown = if (index / evidence.sampled.len()) % 2 == 0 {
+        let shown = if (index / evidence.sampled.len()).is_multiple_of(2) {
             let mut trial = Trial::new(size, move || source.fraction::<Rational>());
             let shown = judge(&mut trial, evidence.runs.rational);
             if let Shown::Fails(_) = shown {

@@ -191,7 +191,7 @@ impl Polynomial {
             }
         }
         let mut terms: Vec<_> = sums.into_iter().filter(|(_, c)| *c != 0).collect();
-        terms.sort_unstable_by(|a, b| b.0.cmp(&a.0));
+        terms.sort_unstable_by_key(|(m, _)| std::cmp::Reverse(*m));
         Ok(Polynomial { terms })
     }
 
