@@ -13,4 +13,5 @@ mod prime;
 mod quadratics;
 mod rounding;
 mod samples;
+mod symbols;
 mod variations;

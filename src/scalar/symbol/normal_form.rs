@@ -9,7 +9,9 @@ use std::collections::{BTreeMap, HashMap};
 
 use num_integer::Integer;
 
+use super::polynomial::integer;
 use super::{Instruction, NodeId, Polynomial, Program, TooLarge};
+use crate::scalar::Field;
 
 /// A quotient `numerator / (integer · Π factorᵢ^eᵢ)` of polynomials in the unknowns of a slice,
 /// which are numbered in the order in which the program meets them.
@@ -84,6 +86,18 @@ impl NormalForms {
     /// The normal form of a goal; `None` for other nodes.
     pub fn quotient(&self, goal: NodeId) -> Option<&Quotient> {
         self.by_node.get(&goal)
+    }
+
+    /// The value of the normal form of a goal; `None` for other nodes, and where its denominator
+    /// vanishes.
+    pub fn evaluate<T: Field>(&self, goal: NodeId, unknowns: &[T]) -> Option<T> {
+        let form = self.quotient(goal)?;
+        let mut denominator = integer(form.integer);
+        for (&factor, &power) in &form.denominator {
+            let value: T = self.factors[factor].evaluate(unknowns);
+            denominator = (0..power).fold(denominator, |product, _| product * &value);
+        }
+        form.numerator.evaluate(unknowns).try_div(&denominator)
     }
 
     fn step(&mut self, instruction: Instruction, unknowns: usize) -> Result<Quotient, TooLarge> {

@@ -7,6 +7,7 @@ use std::fmt;
 use num_integer::Integer;
 
 use super::NodeId;
+use crate::scalar::Ring;
 
 /// The number of unknowns that a [`Polynomial`] may have.
 const UNKNOWNS: usize = 64;
@@ -77,6 +78,14 @@ fn times(a: i128, b: i128) -> Result<i128, TooLarge> {
     a.checked_mul(b).ok_or(TooLarge::Coefficient)
 }
 
+/// The image of an integer of 127 bits.
+pub(super) fn integer<T: Ring>(n: i128) -> T {
+    const HALF: i128 = 1 << 42;
+    let shift = T::from_i64(HALF as i64);
+    let digit = |d: i128| T::from_i64(d as i64);
+    (digit(n / HALF / HALF) * &shift + digit(n / HALF % HALF)) * &shift + digit(n % HALF)
+}
+
 impl Polynomial {
     /// A constant.
     pub fn constant(n: i128) -> Self {
@@ -127,6 +136,17 @@ impl Polynomial {
     pub fn degree(&self) -> u32 {
         let degree = |(m, _): &(Monomial, i128)| m.iter().map(|&e| u32::from(e)).sum();
         self.terms.iter().map(degree).max().unwrap_or(0)
+    }
+
+    /// Its value; unknowns that are not given are 0.
+    pub fn evaluate<T: Ring>(&self, unknowns: &[T]) -> T {
+        self.terms.iter().fold(T::zero(), |sum, (monomial, c)| {
+            let powers = unknowns.iter().zip(monomial);
+            let term = powers.fold(integer::<T>(*c), |product, (x, &exponent)| {
+                (0..exponent).fold(product, |product, _| product * x)
+            });
+            sum + term
+        })
     }
 
     /// The greatest common divisor of the coefficients, with the sign of the first; 0 for 0.
