@@ -3,6 +3,7 @@
 mod circle_pattern;
 #[cfg(feature = "cli")]
 mod cli;
+mod edge_offset;
 mod elimination;
 mod examples;
 mod files;
