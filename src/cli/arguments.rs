@@ -13,7 +13,7 @@ use crate::scalar::ReadAs;
 pub use pairs::{
     At, ChristoffelOptions, CurvatureOptions, GaussKind, GaussOptions, MakeOptions, OffsetOptions,
 };
-pub use spheres::{Circles, InvertOptions, Space, TransferOptions};
+pub use spheres::{Circles, InvertOptions, Inverted, Space, TransferOptions};
 
 /// Discrete surfaces in isotropic geometry, checked exactly.
 #[derive(Debug, Parser)]

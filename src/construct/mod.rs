@@ -10,6 +10,7 @@ mod discrete_power;
 pub mod family;
 pub mod gauss_image;
 pub mod hexagonal;
+mod incircle_image;
 mod inscribed;
 mod koebe;
 mod metric_dual;
@@ -32,6 +33,7 @@ pub use circumscribed::{Circumscribed, circumscribed_f_parallel, circumscribed_v
 pub use delaunay::{NoTriangulation, delaunay};
 pub use discrete_power::discrete_power;
 pub use gauss_image::NoGaussImage;
+pub use incircle_image::{NoIncircleImage, incircle_image, koebe_image};
 pub use inscribed::{inscribed_f_parallel, inscribed_v_parallel, lift, mean_gradient};
 pub use koebe::{face_circle, koebe_mesh, schramm_residual, vertex_circles};
 pub use metric_dual::{NoDual, face_plane, metric_dual};

@@ -2,7 +2,7 @@
 
 use isogeo::check::{Decider, Plain, Reason, Verdict};
 use isogeo::construct::minimal::{MeshPair, bonnet, enneper, logarithmoid};
-use isogeo::construct::transfer::edge_offset_image;
+use isogeo::construct::transfer::{NoTransfer, edge_offset_image, isothermic_image, stored_axes};
 use isogeo::mesh::{FaceList, Mesh, VertexId};
 use isogeo::net::{Net, Property, RADIUS};
 use isogeo::scalar::{Field, Rational, Ring};
@@ -127,4 +127,56 @@ fn flat_stars_and_points_are_undefined() {
     let mut point = flat;
     point[3] = [0, 0, 0];
     assert_eq!(reason(&point), Reason::PointEdge(VertexId(0)));
+}
+
+/// `remark-2-edge-offset`: the way back leads to the interior of the mesh, with its radii up to a sign;
+/// also from an offset, to the i-isothermic mesh with other heights.
+#[test]
+fn the_way_back_is_the_inverse() {
+    for mesh in isothermic() {
+        let there = edge_offset_image(&mesh, &mesh.data.vertex[RADIUS]).expect("an image");
+        let axes = stored_axes(&there.mesh).expect("axes");
+        let back = isothermic_image(&there.mesh, &axes).expect("the way back");
+        let inner: Vec<_> = mesh.topology.interior_vertices().collect();
+        let own: Vec<_> = inner.iter().map(|v| mesh.points[v.index()].clone()).collect();
+        assert_eq!(back.points, own);
+        let own: Vec<_> =
+            inner.iter().map(|v| mesh.data.vertex[RADIUS][v.index()].clone()).collect();
+        let turned: Vec<Q> = own.iter().map(|r| -r).collect();
+        assert!(back.data.vertex[RADIUS] == own || back.data.vertex[RADIUS] == turned);
+        let again = edge_offset_image(&back, &back.data.vertex[RADIUS]).expect("an image");
+        assert!(again.mesh.points.iter().all(|p| there.mesh.points.contains(p)));
+
+        // h ↦ h − d adds −d (1 + n)/2 to the heights.
+        let offset = there.clone().offset(&q(3, 1)).mesh;
+        let lower = isothermic_image(&offset, &axes).expect("the way back");
+        for (v, (a, b)) in back.points.iter().zip(&lower.points).enumerate() {
+            let n = a.top_view().norm2() - lower.data.vertex[RADIUS][v].square();
+            assert_eq!(&a.z - &b.z, (n + q(1, 1)) * q(3, 2));
+        }
+    }
+}
+
+#[test]
+fn axes_that_do_not_fit_are_refused() {
+    let mesh = &isothermic()[0];
+    let image = image(mesh);
+    let axes = stored_axes(&image).expect("axes");
+    let inner = image.topology.interior_vertices().next().expect("an interior vertex").index();
+    let mut wrong = axes.clone();
+    wrong[inner].x += &q(1, 1000);
+    let refused = isothermic_image(&image, &wrong).map_err(|e| e.is_undefined());
+    assert_eq!(refused.err(), Some(false));
+    let mut bent = image.clone();
+    bent.points[inner].z += &q(1, 1000);
+    let refused = isothermic_image(&bent, &axes);
+    assert!(matches!(refused, Err(NoTransfer::NotEdgeOffset { .. })));
+    let mut south = axes.clone();
+    south[inner].z = q(-1, 1);
+    let refused = isothermic_image(&image, &south);
+    assert_eq!(refused, Err(NoTransfer::SouthCone(VertexId(inner as u32))));
+    assert_eq!(isothermic_image(&image, &axes[1..]), Err(NoTransfer::NoAxes));
+    let mut bare = image.clone();
+    bare.data.vertex.remove("s2");
+    assert_eq!(stored_axes(&bare), None);
 }

@@ -8,6 +8,7 @@ mod elimination;
 mod examples;
 mod files;
 mod house;
+mod incircles;
 mod linear_space;
 mod meshes;
 mod nets;
