@@ -2,6 +2,7 @@
 
 pub mod accuracy;
 pub mod christoffel;
+mod circle_centres;
 mod circle_pattern;
 mod circular_net;
 mod circumscribed;
@@ -27,6 +28,7 @@ mod voronoi;
 pub use christoffel::{
     ChristoffelDual, NoChristoffelDual, christoffel_by_diagonals, christoffel_by_radii,
 };
+pub use circle_centres::{CircleCentres, Intruder, NotCircumscribed};
 pub use circle_pattern::{CircleCondition, CirclePattern, Koebe, Layout, NoPattern};
 pub use circular_net::circular_net;
 pub use circumscribed::{Circumscribed, circumscribed_f_parallel, circumscribed_v_parallel};
