@@ -154,3 +154,43 @@ fn koebe_meshes_under_inversions() {
     let on_face = inversion(q(1, 2) + q(2, 5), q(1, 2) + q(3, 10));
     assert_eq!(koebe_image(&mesh, &on_face), Err(NoIncircleImage::Face(FaceId(0))));
 }
+
+/// `remark-1`: an i-circular mesh whose cross-ratios factorise has images of the same classes, and an
+/// inscribed one stays so under the inversion at Σ.
+#[test]
+fn moebius_images_keep_classes() {
+    let half = Rotation::new(q(4, 5), q(3, 5)).expect("an angle");
+    let MeshPair { surface, .. } = logarithmoid(3, 4, &half).expect("a surface");
+    let verdict = |mesh: &Mesh<Q>, property| {
+        let decider = Decider::of_rationals(&mesh.points);
+        Net::new(&mesh.topology, &decider).check(property).verdict()
+    };
+    let sigma = MoebiusTransformation::inversion_at(&MoebiusSphere::new(
+        q(1, 1),
+        q(0, 1),
+        q(0, 1),
+        q(0, 1),
+    ));
+    for map in
+        [inversion(q(1, 7), q(-2, 9)), inversion(q(3, 1), q(1, 1)).then(&sigma), sigma.clone()]
+    {
+        let mut image = moebius_image(&surface, &map).expect("an image");
+        use Property::{ICircular, IIsothermic, Koenigs, Planar};
+        for property in [Planar, ICircular, IIsothermic, Koenigs] {
+            assert_eq!(verdict(&surface, property), Verdict::Proved, "{}", property.name());
+            assert_eq!(verdict(&image, property), Verdict::Proved, "{}", property.name());
+        }
+        image.points[7].x += &q(1, 1000);
+        for property in [Planar, ICircular, IIsothermic, Koenigs] {
+            assert_eq!(verdict(&image, property), Verdict::Refuted, "{}", property.name());
+        }
+    }
+    let lifted = isogeo::construct::lift(&surface);
+    let image = moebius_image(&lifted, &sigma).expect("an image");
+    assert_eq!(
+        (&image.points, verdict(&image, Property::Inscribed)),
+        (&lifted.points, Verdict::Proved)
+    );
+    let other = moebius_image(&lifted, &inversion(q(3, 1), q(1, 1))).expect("an image");
+    assert_eq!(verdict(&other, Property::Inscribed), Verdict::Refuted);
+}
