@@ -60,6 +60,10 @@ pub enum Reason {
     OddValence,
     /// More faces meet at the vertex than are looked at.
     HighValence,
+    /// All edges at the vertex lie in a plane, so that they lie on no cone or on many.
+    FlatVertex(VertexId),
+    /// An edge at the vertex has length zero, and so no direction.
+    PointEdge(VertexId),
 }
 
 impl fmt::Display for Reason {
@@ -98,6 +102,8 @@ impl fmt::Display for Reason {
             }
             Reason::OddValence => write!(f, "an odd number of faces meet there"),
             Reason::HighValence => write!(f, "more than 16 faces meet there"),
+            Reason::FlatVertex(v) => write!(f, "the edges at vertex {} lie in a plane", v.0),
+            Reason::PointEdge(v) => write!(f, "an edge at vertex {} has length zero", v.0),
             Reason::NotConvex => write!(
                 f,
                 "the top view is no disc with a convex boundary here, so that edges alone do not decide"

@@ -15,7 +15,7 @@ pub use claims::{ClaimsCommand, ClaimsOptions, VerifyOptions};
 pub use pairs::{
     At, ChristoffelOptions, CurvatureOptions, GaussKind, GaussOptions, MakeOptions, OffsetOptions,
 };
-pub use spheres::{Circles, InvertOptions, Space, TransferOptions};
+pub use spheres::{Circles, InvertOptions, Inverted, Space, TransferOptions};
 
 /// Discrete surfaces in isotropic geometry, checked exactly.
 #[derive(Debug, Parser)]
@@ -115,7 +115,7 @@ Properties: planar, i-circular, i-conical, inscribed, circumscribed, midscribed 
 i-sphere 2z = x² + y²), delaunay (top view), i-isothermic (touching circles with the signed radii in
 data.vertex.radius; without radii, circular quads with factorised cross-ratios), koenigs (planar quads
 with a Christoffel dual around interior vertices), i-minimal (H = 0 at vertices, with the lift), a-net
-(planar vertex stars), circular, conical (Euclidean).
+(planar vertex stars), circular, conical, edge-offset (Euclidean).
 Properties of a pair M, S, with --with S: parallel (edges), f-parallel (face planes), v-parallel
 (top views), christoffel-dual (parallel, mixed areas 0), i-minimal (H = 0 at every face), cmc (H is
 the same at every face), constant-k. S has the faces of M, with the vertices in the same order.

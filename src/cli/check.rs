@@ -14,9 +14,6 @@ use crate::net::{Net, Property};
 use crate::pair::{Couple, PairProperty};
 use crate::scalar::{Rational, ReadAs};
 
-/// Properties of the interface that are not there yet.
-const TO_COME: [&str; 1] = ["edge-offset"];
-
 /// A property of the mesh, or of the pair.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Asked {
@@ -100,11 +97,7 @@ impl Asked {
                 "add --with S, the second mesh".to_owned(),
             ),
             None => (
-                if TO_COME.contains(&name) {
-                    format!("the property '{name}' is not there yet")
-                } else {
-                    format!("there is no property '{name}'")
-                },
+                format!("there is no property '{name}'"),
                 format!("the properties are {known}; of a pair, with --with S, {pairs}"),
             ),
         };

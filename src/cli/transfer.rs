@@ -9,8 +9,8 @@ use super::numbers::numbers;
 use super::{Status, output, words};
 use crate::check::{Decider, Verdict};
 use crate::construct::transfer::{
-    EuclideanImage, NoTransfer, circular_image, conical_image, edge_offset_image, observed_image,
-    oriented_planes, stored_planes,
+    EuclideanImage, NoTransfer, circular_image, conical_image, edge_offset_image, isothermic_image,
+    observed_image, oriented_planes, stored_axes, stored_planes,
 };
 use crate::mesh::file::Options;
 use crate::mesh::{FaceId, Mesh};
@@ -89,6 +89,10 @@ fn euclidean(options: &TransferOptions, mesh: &Mesh<Rational>) -> Result<Transfe
 }
 
 fn isotropic(mesh: &Mesh<Rational>) -> Transferred {
+    if let Some(axes) = stored_axes(mesh) {
+        let image = isothermic_image(mesh, &axes)?;
+        return Ok(Found { image, gauss: None, kind: "i-isothermic", turned: Vec::new() });
+    }
     let planes = stored_planes(mesh).unwrap_or_else(|| oriented_planes(mesh))?;
     let image = circular_image(mesh, &planes)?;
     Ok(Found { image, gauss: None, kind: "i-circular", turned: Vec::new() })

@@ -8,7 +8,7 @@
 use crate::mesh::{Data, FaceId, FaceList, Mesh, NoPlane, Topology, TopologyError};
 use crate::net::RADIUS;
 use crate::scalar::{Field, Ring};
-use crate::space::{Dual, OrientedCircle};
+use crate::space::{Circle, Dual, OrientedCircle, Plane, TopView};
 
 /// The mesh of the poles of circles, with the signed radii as data of the vertices.
 ///
@@ -38,6 +38,13 @@ pub(super) fn poles<T: Field>(topology: Topology, circles: Vec<OrientedCircle<T>
     let mut data = Data::default();
     data.vertex.insert(RADIUS.to_owned(), circles.into_iter().map(|c| c.radius).collect());
     Mesh { topology, points, data }
+}
+
+/// The circle of the top view over which a plane cuts Σ: orthogonal to those whose poles lie in it.
+pub(super) fn section<T: Field>(plane: Plane<T>) -> Circle<T> {
+    let centre = TopView::new(plane.gradient.x, plane.gradient.y);
+    let radius2 = centre.norm2() + plane.height * T::from_i64(2);
+    Circle::new(centre, radius2)
 }
 
 /// The vertex circles of a mesh, if it has radii: centres are the top views of the vertices.

@@ -2,6 +2,7 @@
 
 pub mod accuracy;
 pub mod christoffel;
+mod circle_centres;
 mod circle_pattern;
 mod circular_net;
 mod circumscribed;
@@ -10,6 +11,7 @@ mod discrete_power;
 pub mod family;
 pub mod gauss_image;
 pub mod hexagonal;
+mod incircle_image;
 mod inscribed;
 mod koebe;
 mod metric_dual;
@@ -26,12 +28,14 @@ mod voronoi;
 pub use christoffel::{
     ChristoffelDual, NoChristoffelDual, christoffel_by_diagonals, christoffel_by_radii,
 };
+pub use circle_centres::{CircleCentres, Intruder, NotCircumscribed};
 pub use circle_pattern::{CircleCondition, CirclePattern, Koebe, Layout, NoPattern};
 pub use circular_net::circular_net;
 pub use circumscribed::{Circumscribed, circumscribed_f_parallel, circumscribed_v_parallel};
 pub use delaunay::{NoTriangulation, delaunay};
 pub use discrete_power::discrete_power;
 pub use gauss_image::NoGaussImage;
+pub use incircle_image::{NoIncircleImage, incircle_image, koebe_image};
 pub use inscribed::{inscribed_f_parallel, inscribed_v_parallel, lift, mean_gradient};
 pub use koebe::{face_circle, koebe_mesh, schramm_residual, vertex_circles};
 pub use metric_dual::{NoDual, face_plane, metric_dual};

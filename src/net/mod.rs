@@ -14,12 +14,15 @@
 //! | [`i_minimal`] `i-minimal` | interior vertex | the mixed measure with the lift to Σ is 0 |
 //! | [`a_net`] `a-net` | interior vertex | its edges lie in a plane |
 //! | [`euclidean`] `circular`, `conical` | face, interior vertex | the Euclidean notions |
+//! | [`edge_offset`] `edge-offset` | face, vertex, edge | the Euclidean notion: planar, edges on cones, axes that meet |
 //!
 //! Boundary rule: vertex properties are tested where the faces around a vertex form one closed
-//! cycle; boundary and pinched vertices are no elements of the check.
+//! cycle; boundary and pinched vertices are no elements of the check. Only `edge-offset` speaks of the edges
+//! at boundary vertices, which need no cycle.
 
 pub mod a_net;
 pub mod delaunay;
+pub mod edge_offset;
 pub mod euclidean;
 pub mod i_circular;
 pub mod i_conical;
@@ -71,11 +74,13 @@ pub enum Property {
     Circular,
     /// The face planes at a vertex touch a Euclidean cone of revolution.
     Conical,
+    /// A parallel mesh has edges that touch the unit sphere of Euclidean space.
+    EdgeOffset,
 }
 
 impl Property {
     /// All properties, in the order of reports.
-    pub const ALL: [Property; 13] = [
+    pub const ALL: [Property; 14] = [
         Property::Planar,
         Property::ICircular,
         Property::IConical,
@@ -89,6 +94,7 @@ impl Property {
         Property::ANet,
         Property::Circular,
         Property::Conical,
+        Property::EdgeOffset,
     ];
 
     /// The name on the command line and in reports.
@@ -107,6 +113,7 @@ impl Property {
             Property::ANet => "a-net",
             Property::Circular => "circular",
             Property::Conical => "conical",
+            Property::EdgeOffset => "edge-offset",
         }
     }
 
@@ -124,13 +131,15 @@ pub struct Net<'a, D> {
     decide: &'a D,
     radii: Option<VertexId>,
     shapes: OnceLock<Vec<FaceShape>>,
+    cones: OnceLock<Vec<edge_offset::AtVertex>>,
     disc: OnceLock<bool>,
 }
 
 impl<'a, D: Decide> Net<'a, D> {
     /// Combinatorics and a decider for the points of the same mesh.
     pub fn new(topology: &'a Topology, decide: &'a D) -> Self {
-        Net { topology, decide, radii: None, shapes: OnceLock::new(), disc: OnceLock::new() }
+        let (shapes, cones, disc) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        Net { topology, decide, radii: None, shapes, cones, disc }
     }
 
     /// The same with signed radii of vertex circles: they are the x-coordinates of the decider's
@@ -150,6 +159,7 @@ impl<'a, D: Decide> Net<'a, D> {
     pub fn check(&self, property: Property) -> Report<D::Value> {
         let elements = self.elements(property);
         self.know_faces(property);
+        self.know_cones(property);
         Report::collect(property.name(), &elements, |element, exact| {
             Judge { net: self, exact }.outcome(property, element)
         })
@@ -161,6 +171,7 @@ impl<'a, D: Decide> Net<'a, D> {
     pub fn defects(&self, property: Property) -> Vec<f64> {
         let elements = self.elements(property);
         self.know_faces(property);
+        self.know_cones(property);
         let judge = Judge { net: self, exact: false };
         let defect = |&element: &Element| match (element, judge.outcome(property, element)) {
             (Element::Face(f), Outcome::Fails(failure)) => Some((f.index(), failure.defect)),
@@ -197,6 +208,7 @@ impl<'a, D: Decide> Net<'a, D> {
             Property::Inscribed => topology.vertices().map(Element::Vertex).collect(),
             Property::Midscribed => edges().collect(),
             Property::Delaunay => delaunay::elements(topology),
+            Property::EdgeOffset => edge_offset::elements(topology),
         }
     }
 
@@ -219,7 +231,8 @@ impl<'a, D: Decide> Net<'a, D> {
             | Property::Koenigs
             | Property::IMinimal
             | Property::Circular
-            | Property::Conical => true,
+            | Property::Conical
+            | Property::EdgeOffset => true,
             Property::Inscribed | Property::Midscribed | Property::Delaunay | Property::ANet => {
                 false
             }
@@ -230,6 +243,15 @@ impl<'a, D: Decide> Net<'a, D> {
             let shapes = faces.into_par_iter().with_min_len(1024).map(shape).collect();
             // Another thread may have been faster; it found the same.
             let _ = self.shapes.set(shapes);
+        }
+    }
+
+    /// Finds the cones of edges at all vertices, in the same way.
+    fn know_cones(&self, property: Property) {
+        if property == Property::EdgeOffset && self.cones.get().is_none() {
+            let vertices = 0..self.topology.vertex_count() as u32;
+            let at = |v| edge_offset::cones(self.topology, self.decide, VertexId(v));
+            let _ = self.cones.set(vertices.into_par_iter().map(at).collect());
         }
     }
 
@@ -265,6 +287,7 @@ impl<D: Decide> Judge<'_, D> {
             (Property::ANet, Element::Vertex(v)) => a_net::outcome(self, v),
             (Property::Circular, Element::Face(f)) => euclidean::circular(self, f),
             (Property::Conical, Element::Vertex(v)) => euclidean::conical(self, v),
+            (Property::EdgeOffset, element) => edge_offset::outcome(self, element),
             // `elements` pairs every property with its own kind of element.
             _ => Outcome::Trivial,
         }

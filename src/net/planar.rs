@@ -33,7 +33,7 @@ pub enum ProjectedArea {
 }
 
 impl ProjectedArea {
-    const ALL: [ProjectedArea; 3] =
+    pub(super) const ALL: [ProjectedArea; 3] =
         [ProjectedArea::TopView, ProjectedArea::AlongX, ProjectedArea::AlongY];
 
     /// The coordinates that are seen.

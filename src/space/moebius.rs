@@ -2,8 +2,8 @@
 
 use super::similarity::{Model, Similarity};
 use super::{
-    Circle, CylindricalSphere, Gradient, ICircle, MoebiusSphere, Motion, Plane, Point, Scaling,
-    SpaceError, TopView, Transform,
+    Circle, CylindricalSphere, Gradient, ICircle, MoebiusSphere, Motion, OrientedCircle, Plane,
+    Point, Scaling, SpaceError, TopView, Transform,
 };
 use crate::scalar::{Field, Ring};
 
@@ -134,6 +134,40 @@ impl<T: Field> MoebiusTransformation<T> {
         let [_, x, y, t] = line.map(|coordinate| &a * &scale * coordinate);
         let plane = Plane::new(Gradient::new(b - x, c - y), d - t);
         Ok(ICircle { plane, top_view: Circle::new(centre, radius2) })
+    }
+
+    /// The image of a circle of the top view together with a point over its centre.
+    ///
+    /// They stand for all i-circles in planes through the point whose top views are orthogonal to the
+    /// circle; the images of these are related in the same way to the image. It is no image of the
+    /// point alone, unless the radius is 0. The inversion at the unit cylinder has `m/N`, `r/N` and
+    /// `z/N` with `N = |m|² − r²`, so the radius changes its sign where the circle is around the centre.
+    ///
+    /// ```
+    /// use isogeo::space::{Circle, CylindricalSphere, MoebiusTransformation, OrientedCircle, SpaceError, TopView};
+    /// let unit = CylindricalSphere::new(Circle::new(TopView::new(0.0, 0.0), 1.0))?;
+    /// let inversion = MoebiusTransformation::inversion_at_cylinder(&unit, &0.0);
+    /// let circle = OrientedCircle { centre: TopView::new(1.0, 0.0), radius: 3.0 };
+    /// let (image, height) = inversion.map_centred(&circle, &4.0)?;
+    /// assert_eq!((image.centre.x, image.radius, height), (-0.125, -0.375, -0.5)); // N = −8
+    /// # Ok::<(), SpaceError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SpaceError::AtInfinity`] if the circle passes through the centre. [`SpaceError::NotAnIsometry`]
+    /// for a factor `k ≠ 1`, whose root the radius would take.
+    pub fn map_centred(
+        &self,
+        circle: &OrientedCircle<T>,
+        height: &T,
+    ) -> Result<(OrientedCircle<T>, T), SpaceError> {
+        if *self.factor() != T::one() {
+            return Err(SpaceError::NotAnIsometry);
+        }
+        let (direction, height) = self.hyperplane(&direction(&circle.circle()), height);
+        let (centre, scale) = centre_of(direction)?;
+        let radius = &circle.radius * &scale;
+        Ok((OrientedCircle { centre, radius }, height * scale))
     }
 }
 

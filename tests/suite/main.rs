@@ -4,10 +4,12 @@ mod circle_pattern;
 mod claims;
 #[cfg(feature = "cli")]
 mod cli;
+mod edge_offset;
 mod elimination;
 mod examples;
 mod files;
 mod house;
+mod incircles;
 mod linear_space;
 mod meshes;
 mod nets;

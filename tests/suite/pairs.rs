@@ -2,6 +2,7 @@
 //! the named values.
 
 mod areas;
+mod centres;
 mod exact;
 mod faces;
 mod images;

@@ -15,9 +15,14 @@ height 0. A vertex over c has no image, which is an error; a face whose circle p
 becomes vertical.
 --sphere: z goes to 2 s(x, y) − z, the inversion at the i-sphere s = A(x² + y²)/2 + Bx + Cy + D.
 Data on elements are left out. Of planar faces, in general only i-circular ones stay planar.
+--by incircles: of an i-isothermic mesh with radii (data on vertices, 'radius') the circles of faces
+are inverted, which are orthogonal to the vertex circles. Their planes meet again in the vertices of
+an i-isothermic mesh with signed radii, which are kept; the top views of its vertices are the centres
+of the inverted vertex circles. That there is no such image is a result: exit code 1.
 Examples:
   isogeo invert shell.iso.json --at 1/2,3 --radius2 4 -o inverted.iso.json
-  isogeo invert shell.iso.json --sphere 1,0,0,0 -o reflected.iso.json")]
+  isogeo invert shell.iso.json --sphere 1,0,0,0 -o reflected.iso.json
+  isogeo invert enneper.iso.json --at 1/3,7 --by incircles -o biharmonic.iso.json")]
 pub struct InvertOptions {
     #[command(flatten)]
     pub input: InputOptions,
@@ -40,8 +45,20 @@ pub struct InvertOptions {
         conflicts_with_all = ["at", "radius2"]
     )]
     pub sphere: Option<String>,
+    /// What is inverted
+    #[arg(long, value_enum, default_value_t = Inverted::Vertices)]
+    pub by: Inverted,
     #[command(flatten)]
     pub output: OutputOptions,
+}
+
+/// What an inversion is applied to
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Inverted {
+    /// The points
+    Vertices,
+    /// The circles of faces of an i-isothermic mesh with radii
+    Incircles,
 }
 
 /// Map between isotropic and Euclidean space: i-circular to conical, i-isothermic to edge-offset
@@ -52,8 +69,9 @@ n·x + 2c/(1 + a² + b²) = 0 (12), a face becomes the vertex of the cone of rev
 its circle: the circumcircle, or the circle orthogonal to touching circles around the vertices whose
 radii stand as data on vertices under 'radius'. A conical mesh keeps its planes exactly, as data on
 faces n1, n2, n3, h: the unit normals are rational. The side of the normals is that of positive
-distance. With --to isotropic these planes are used, or others that are computed from the vertices,
-if their unit normals are rational.
+distance. An edge-offset mesh keeps the axes of its cones, as data on vertices s1, s2, s3. With
+--to isotropic axes or planes are used that stand there, else planes that are computed from the
+vertices, if their unit normals are rational; from axes comes an i-isothermic mesh with radii.
 That there is no image is a result: exit code 1 if it is refuted, else 3. The exit code is 3, too, if
 some faces run against their planes: then other offsets are conical meshes, this one is not.
 Examples:

@@ -1,10 +1,11 @@
 //! From isotropic to Euclidean space: circles of faces to cones of revolution at vertices.
 
-use super::{NoTransfer, PLANE_DATA};
+use super::{AXIS_DATA, NoTransfer, PLANE_DATA};
+use crate::construct::koebe::section;
 use crate::mesh::{Data, FaceId, Mesh, NoPlane, VertexId};
 use crate::scalar::{Field, Ordered, Sign};
 use crate::space::laguerre::{Cone, OrientedPlane};
-use crate::space::{Circle, ICircle, Plane, Point, TopView, Vector3};
+use crate::space::{ICircle, Point, Vector3};
 
 /// A Euclidean mesh N with its Gauss image S: parallel, and tangent to the unit sphere.
 ///
@@ -65,7 +66,9 @@ pub fn conical_image<T: Field>(mesh: &Mesh<T>) -> Result<EuclideanImage<T>, NoTr
 ///
 /// The vertices are those of the cones that belong to the incircles; the edges of the Gauss image
 /// touch the unit sphere. A vertex v of M with the radius r becomes a face in the plane
-/// `2v₁x + 2v₂y + (1 − n)z + 2v₃ = 0` with `n = |v'|² − r²`, which is that of (12) if `r = 0`.
+/// `2v₁x + 2v₂y + (1 − n)z + 2v₃ = 0` with `n = |v'|² − r²`, which is that of (12) if `r = 0`. That plane
+/// alone does not tell the scale of its numbers, so the vertices of the Gauss image are kept as data
+/// on the vertices, under the names [`AXIS_DATA`].
 ///
 /// # Errors
 /// Vertex circles that do not touch or have no common orthogonal circle, a face that is not planar or
@@ -86,7 +89,13 @@ pub fn edge_offset_image<T: Field>(
             return Err(NoTransfer::NotTouching { edge, residual });
         }
     }
-    by_circles(mesh, |v| radii[v.index()].square())
+    let mut image = by_circles(mesh, |v| radii[v.index()].square())?;
+    let numbers: [fn(&Point<T>) -> &T; 3] = [|s| &s.x, |s| &s.y, |s| &s.z];
+    for (name, number) in AXIS_DATA.into_iter().zip(numbers) {
+        let column = image.gauss.points.iter().map(|s| number(s).clone()).collect();
+        image.mesh.data.vertex.insert(name.to_owned(), column);
+    }
+    Ok(image)
 }
 
 /// The cones of the circles that are orthogonal to circles around the vertices: the circumcircles
@@ -105,11 +114,10 @@ fn by_circles<T: Field>(
     let lift = Mesh { topology: mesh.topology.clone(), points, data: Data::default() };
     let cone = |face: FaceId| {
         let plane = mesh.face_plane(face)?;
-        let top_view =
-            lift.face_plane(face).map(orthogonal_circle).map_err(|reason| match reason {
-                NoPlane::NotPlanar { face, residual } => NoTransfer::NoCircle { face, residual },
-                reason => reason.into(),
-            })?;
+        let top_view = lift.face_plane(face).map(section).map_err(|reason| match reason {
+            NoPlane::NotPlanar { face, residual } => NoTransfer::NoCircle { face, residual },
+            reason => reason.into(),
+        })?;
         Cone::of_isotropic(&ICircle { plane, top_view }).map_err(|_| NoTransfer::Cylinder(face))
     };
     let cones = mesh.topology.faces().map(cone).collect::<Result<Vec<_>, NoTransfer<T>>>()?;
@@ -120,13 +128,6 @@ fn by_circles<T: Field>(
         .map(|Cone { vertex, axis: Vector3 { x, y, z } }| (vertex, Point::new(x, y, z)))
         .unzip();
     Ok(EuclideanImage { mesh: mesh_of(vertices), gauss: mesh_of(axes) })
-}
-
-/// The circle of the top view over which the plane `z = c·x − N/2` cuts Σ.
-fn orthogonal_circle<T: Field>(plane: Plane<T>) -> Circle<T> {
-    let centre = TopView::new(plane.gradient.x, plane.gradient.y);
-    let radius2 = centre.norm2() + plane.height * T::from_i64(2);
-    Circle::new(centre, radius2)
 }
 
 impl<T: Field> EuclideanImage<T> {

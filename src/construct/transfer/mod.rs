@@ -4,11 +4,12 @@
 //! | M in isotropic space | N in Euclidean space | by |
 //! | --- | --- | --- |
 //! | i-circular | conical, with rational unit normals | [`conical_image`], [`circular_image`] |
-//! | i-isothermic, with radii of its vertex circles | edge-offset mesh | [`edge_offset_image`] |
+//! | i-isothermic, with radii of its vertex circles | edge-offset mesh, with its axes | [`edge_offset_image`], [`isothermic_image`] |
 //!
 //! A face of M becomes a vertex of N, an interior vertex of M a face of N.
 
 mod euclidean;
+mod isothermic;
 mod isotropic;
 
 use std::fmt;
@@ -16,10 +17,15 @@ use std::fmt;
 use crate::mesh::{FaceId, NoPlane, TopologyError, VertexId};
 
 pub use euclidean::{EuclideanImage, conical_image, edge_offset_image};
+pub use isothermic::{isothermic_image, stored_axes};
 pub use isotropic::{circular_image, observed_image, oriented_planes, stored_planes};
 
 /// The names of the data on faces that hold the oriented planes `n₁x + n₂y + n₃z + h = 0`.
 pub const PLANE_DATA: [&str; 4] = ["n1", "n2", "n3", "h"];
+
+/// The names of the data on vertices that hold the axes s of their cones, the vertices of the Gauss
+/// image, of an edge-offset mesh.
+pub const AXIS_DATA: [&str; 3] = ["s1", "s2", "s3"];
 
 /// Why a mesh has no image under τ or its inverse.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +49,8 @@ pub enum NoTransfer<T> {
     },
     /// Not one radius for every vertex.
     NoRadii,
+    /// Not one axis for every vertex.
+    NoAxes,
     /// A face of M whose circle is the image of a great circle: the planes envelop a cylinder, and
     /// the vertex lies at infinity.
     Cylinder(FaceId),
@@ -73,6 +81,23 @@ pub enum NoTransfer<T> {
         /// Six times the volume that four of the unit normals span, exactly.
         residual: T,
     },
+    /// A vertex of N whose cone has a plane with the normal (0, 0, −1).
+    SouthCone(VertexId),
+    /// A face of N around which the axes do not belong to one circle: the face of the Gauss image is not
+    /// planar, or does not have the normal of N.
+    NotEdgeOffset {
+        /// The face.
+        face: FaceId,
+        /// What is left of the plane of the face or of its image at a vertex, exactly.
+        residual: T,
+    },
+    /// A face of N whose vertex circle has a radius that is no fraction, or imaginary.
+    IrrationalRadius {
+        /// The face.
+        face: FaceId,
+        /// The squared radius.
+        radius2: T,
+    },
     /// The dual combinatorics form no mesh.
     Topology(TopologyError),
 }
@@ -89,6 +114,7 @@ impl<T> NoTransfer<T> {
                 NoTransfer::NotTouching { edge: *edge, residual: f(residual) }
             }
             NoTransfer::NoRadii => NoTransfer::NoRadii,
+            NoTransfer::NoAxes => NoTransfer::NoAxes,
             NoTransfer::Cylinder(face) => NoTransfer::Cylinder(*face),
             NoTransfer::NoNormal(face) => NoTransfer::NoNormal(*face),
             NoTransfer::Irrational { face, length2 } => {
@@ -101,6 +127,13 @@ impl<T> NoTransfer<T> {
             NoTransfer::SouthPole(face) => NoTransfer::SouthPole(*face),
             NoTransfer::NotConical { vertex, residual } => {
                 NoTransfer::NotConical { vertex: *vertex, residual: f(residual) }
+            }
+            NoTransfer::SouthCone(vertex) => NoTransfer::SouthCone(*vertex),
+            NoTransfer::NotEdgeOffset { face, residual } => {
+                NoTransfer::NotEdgeOffset { face: *face, residual: f(residual) }
+            }
+            NoTransfer::IrrationalRadius { face, radius2 } => {
+                NoTransfer::IrrationalRadius { face: *face, radius2: f(radius2) }
             }
             NoTransfer::Topology(error) => NoTransfer::Topology(error.clone()),
         }
@@ -117,6 +150,7 @@ impl<T> NoTransfer<T> {
                 | NoTransfer::NotAUnitNormal(_)
                 | NoTransfer::NotPlanar { .. }
                 | NoTransfer::NotConical { .. }
+                | NoTransfer::NotEdgeOffset { .. }
         )
     }
 }
@@ -138,6 +172,7 @@ impl<T: fmt::Display> fmt::Display for NoTransfer<T> {
                 )
             }
             NoTransfer::NoRadii => write!(f, "there is not one radius for every vertex"),
+            NoTransfer::NoAxes => write!(f, "there is not one axis for every vertex"),
             NoTransfer::Cylinder(face) => write!(
                 f,
                 "the circle of face {} stands for a great circle: its vertex is at infinity",
@@ -166,6 +201,21 @@ impl<T: fmt::Display> fmt::Display for NoTransfer<T> {
                 f,
                 "vertex {} is not conical: four unit normals span six times the volume {residual}",
                 vertex.0
+            ),
+            NoTransfer::SouthCone(vertex) => write!(
+                f,
+                "the cone at vertex {} has a plane with the normal (0, 0, −1): its image is at infinity",
+                vertex.0
+            ),
+            NoTransfer::NotEdgeOffset { face, residual } => write!(
+                f,
+                "the axes at the vertices of face {} do not belong to one circle: residual {residual}",
+                face.0
+            ),
+            NoTransfer::IrrationalRadius { face, radius2 } => write!(
+                f,
+                "the circle of face {} has the squared radius {radius2}, which is no square",
+                face.0
             ),
             NoTransfer::Topology(error) => {
                 write!(f, "the dual combinatorics form no mesh: {error}")

@@ -1,11 +1,12 @@
 //! Named values: curvatures of discrete surfaces known in closed form.
 
-use isogeo::construct::inscribed_v_parallel;
-use isogeo::construct::minimal::{MeshPair, enneper, logarithmoid};
+use isogeo::construct::minimal::{MeshPair, bonnet, enneper, logarithmoid};
+use isogeo::construct::{face_circle, inscribed_v_parallel, metric_dual, vertex_circles};
 use isogeo::mesh::{FaceId, Mesh, VertexId};
+use isogeo::net::RADIUS;
 use isogeo::pair::*;
 use isogeo::scalar::{Rational, Ring};
-use isogeo::space::{Point, Rotation, TopView};
+use isogeo::space::{OrientedCircle, Point, Rotation, TopView};
 
 use super::{fan, q, sampled};
 
@@ -213,6 +214,81 @@ fn the_discrete_enneper_surface() {
     let mut wrong = m.clone();
     wrong.points[5].x += &r(1, 1000);
     assert!(FParallel::new(&wrong, &s).is_err());
+}
+
+/// `K(v) = −1/∏ N_d` over the middles d of the faces around a vertex of the Enneper surface. In general
+/// `K(v) = −λ²/∏ ρ` with the signed radii ρ of the incircles of M, where `λ = r R` for the radii r of M
+/// and R of S at any vertex; for `λ = 1` it is minus the product of the radii of the incircles of S.
+#[test]
+fn the_curvature_at_vertices_is_a_product_of_radii() {
+    let centre = TopView::new(r(1, 2), r(1, 2));
+    let half = Rotation::new(r(4, 5), r(3, 5)).unwrap();
+    let off = TopView::new(r(1, 3), r(2, 7));
+    let products = |MeshPair { surface: m, gauss: s }: &MeshPair<R>| {
+        let scale = &m.data.vertex[RADIUS][0] * &s.data.vertex[RADIUS][0];
+        let circles = vertex_circles(m).unwrap();
+        let points = circles.iter().map(OrientedCircle::pole).collect();
+        let koebe = Mesh { points, ..m.clone() };
+        let pair = VParallel::new(m, &koebe).unwrap();
+        let around = |v: VertexId| {
+            let faces = m.topology.star(v).map(|h| m.topology.face_at(h));
+            faces.map(|f| face_circle(&koebe, f).unwrap().unwrap().radius).collect::<Vec<_>>()
+        };
+        let mut found = Vec::new();
+        for v in m.topology.interior_vertices() {
+            let product = around(v).into_iter().fold(R::one(), |product, r| product * r);
+            let c = pair.vertex_curvatures(v).unwrap();
+            assert_eq!((c.mean, &c.gauss), (R::zero(), &-(scale.square() / product)), "{}", v.0);
+            found.push((v, c.gauss));
+        }
+        found
+    };
+    for (v, k) in products(&enneper(4, 3, &centre).unwrap()) {
+        let (i, j) = (i64::from(v.0 / 4), i64::from(v.0 % 4));
+        let power = |a: i64, b: i64| r(a * a + b * b, 1) - r(1, 4);
+        let around = [(i, j), (i - 1, j), (i, j - 1), (i - 1, j - 1)];
+        let product = around.into_iter().fold(R::one(), |p, (a, b)| p * power(a, b));
+        assert_eq!(k, -(R::one() / product), "vertex ({i}, {j})");
+    }
+    // At (1, 1) the faces have the middles (0, 0), (1, 0), (0, 1), (1, 1).
+    assert_eq!(products(&enneper(2, 2, &centre).unwrap())[0].1, r(256, 63));
+    assert_eq!(products(&logarithmoid(3, 3, &half).unwrap()).len(), 4);
+    assert_eq!(products(&bonnet(3, 3, &half, &off).unwrap()).len(), 4);
+}
+
+/// Fig. 9: the vertices of the dual M* of the Enneper surface are `(d/N_d, Re d²/6)`, its face planes along
+/// a row y pass through `(0, 1/(2y), −y²/3 − 1/24)`, along a column x through `(1/(2x), 0, x²/3 + 1/24)`, all
+/// moved by the centre of the inversion in the top view.
+#[test]
+fn planes_of_the_dual_of_enneper_meet_in_points() {
+    let centre = TopView::new(r(-1, 2), r(-3, 2));
+    let m = enneper(4, 5, &centre).unwrap().surface;
+    let dual = metric_dual(&m).unwrap();
+    assert_eq!(dual.points.len(), 20);
+    for (index, point) in dual.points.iter().enumerate() {
+        let (x, y) = (r(index as i64 / 5 + 1, 1), r(index as i64 % 5 + 2, 1));
+        let power = x.square() + y.square() - r(1, 4);
+        let at = TopView::new(&x / &power + &centre.x, &y / &power + &centre.y);
+        assert_eq!(*point, at.at_height((x.square() - y.square()) * r(1, 6)));
+    }
+    let shift = r(1, 24);
+    for (face, v) in dual.topology.faces().zip(m.topology.interior_vertices()) {
+        let (i, j) = (i64::from(v.0 / 6), i64::from(v.0 % 6));
+        let (x, y) = (r(2 * i + 1, 2), r(2 * j + 3, 2));
+        let plane = dual.face_plane(face).unwrap();
+        let over = |a: R, b: R| plane.point_at(&TopView::new(a + &centre.x, b + &centre.y)).z;
+        let row = |y: &R| -(y.square() * r(1, 3)) - &shift;
+        let column = |x: &R| x.square() * r(1, 3) + &shift;
+        assert_eq!(over(R::zero(), r(1, 2) / &y), row(&y), "row {j}");
+        assert_eq!(over(r(1, 2) / &x, R::zero()), column(&x), "column {i}");
+        // The control: the point of the next row.
+        let next = &y + R::one();
+        assert_ne!(over(R::zero(), r(1, 2) / &next), row(&next));
+    }
+    // The point of row y = 5/2.
+    let row = m.topology.interior_vertices().position(|v| v.0 == 7).unwrap() as u32;
+    let plane = dual.face_plane(FaceId(row)).unwrap();
+    assert_eq!(plane.point_at(&TopView::new(r(-1, 2), r(-13, 10))).z, r(-17, 8));
 }
 
 #[test]
