@@ -1,5 +1,6 @@
 //! The program, run as its users run it: what every command prints, kept as snapshots.
 
+mod claims;
 mod contract;
 mod curvature;
 mod damage;

@@ -1,0 +1,45 @@
+//! The ledger on the command line.
+
+use insta::assert_snapshot;
+use serde_json::Value;
+
+use super::shell::Shell;
+
+#[test]
+fn claims_are_listed_and_shown() {
+    let shell = Shell::new();
+    let run = shell.line("claims show cmc-offset");
+    let times = |line: &&str| !line.contains(" ms");
+    let text: Vec<&str> = run.out.lines().filter(times).collect();
+    assert_snapshot!("claims_show", text.join("\n"));
+    let run = shell.line("claims list");
+    assert!(run.out.lines().any(|line| line.starts_with("eq-17-18 ") && line.contains("decided")));
+    let run = shell.line("claims show eq-17");
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("eq-17-18"), "{}", run.err);
+}
+
+#[test]
+fn a_seed_repeats_a_run() {
+    let shell = Shell::new();
+    let counts = |seed: &str| {
+        let line = format!("claims verify cgc-offset minkowski --samples 20 {seed} --format json");
+        let run = shell.line(&line);
+        assert_eq!(run.code, 0, "{}", run.err);
+        let mut report: Value = serde_json::from_str(&run.out).expect("JSON");
+        let seed = report["seed"].as_str().expect("a seed").to_string();
+        let claims = report["claims"].take();
+        let fields = ["id", "said", "shown", "verdict", "instances", "controls"];
+        let row = |claim: &Value| fields.map(|field| claim[field].to_string()).join(" ");
+        let claims = claims.as_array().expect("claims").iter().map(row).collect::<Vec<_>>();
+        (seed, claims)
+    };
+    let (seed, first) = counts("");
+    assert_eq!(seed.len(), 64);
+    assert_eq!(counts(&format!("--seed {seed}")).1, first);
+    assert_eq!(counts("--seed 5").0, "5");
+    assert!(first[0].starts_with("\"cgc-offset\" \"decided\" \"decided\" \"holds\""), "{first:?}");
+    let run = shell.line("claims verify cgc-offset --seed five");
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("64 hexadecimal digits"), "{}", run.err);
+}
