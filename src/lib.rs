@@ -48,6 +48,7 @@ pub mod claim;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod construct;
+pub mod figure;
 pub mod mesh;
 pub mod net;
 pub mod pair;

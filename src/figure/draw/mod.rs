@@ -1,0 +1,17 @@
+//! Drawing: plane scenes, spatial models, painter's order, and the formats.
+
+mod color;
+mod model;
+mod painter;
+mod scene;
+mod svg;
+mod tikz;
+mod view;
+
+pub use color::Color;
+pub use model::{Model, Paint, Piece};
+pub use painter::painted;
+pub use scene::{Anchor, Item, Scene, Stroke};
+pub use svg::svg;
+pub use tikz::tikz;
+pub use view::View;

@@ -1,0 +1,191 @@
+//! The painter's order: what is nearer is painted later, whatever the model.
+//!
+//! The planes of faces cut space in two, again and again (a binary space partition); pieces on the
+//! side of the viewer are painted after those on the other. This is right also for several sheets
+//! over one top view and for meshes that go through each other, since faces are cut where they have to be.
+
+use super::view::dot;
+use super::{Item, Model, Paint, Piece, Scene, Stroke, View};
+
+/// The pieces of a model as items of a scene, in the order in which they have to be painted.
+pub fn painted(model: &Model, view: &View) -> Vec<Item> {
+    let mut pieces = model.pieces.clone();
+    let size = pieces.iter().flat_map(points).flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let mut ordered = Vec::with_capacity(pieces.len());
+    // What remains to be ordered, the farthest last; a set that is in order is marked.
+    let mut stack = vec![(std::mem::take(&mut pieces), false)];
+    while let Some((set, ordered_already)) = stack.pop() {
+        let splitter = if ordered_already { None } else { splitter(&set) };
+        let Some(plane) = splitter else {
+            ordered.extend(set);
+            continue;
+        };
+        let [mut behind, mut on, mut before] = [const { Vec::new() }; 3];
+        for piece in set {
+            plane.sort(piece, size, [&mut behind, &mut on, &mut before]);
+        }
+        // Lines lie over the faces of their plane.
+        on.sort_by_key(|piece| matches!(piece, Piece::Segment { .. }));
+        let towards = view.sees(plane.normal);
+        let (far, near) = if towards { (behind, before) } else { (before, behind) };
+        stack.push((near, false));
+        stack.push((on, true));
+        stack.push((far, false));
+    }
+    ordered.iter().flat_map(|piece| items(piece, view)).collect()
+}
+
+fn points(piece: &Piece) -> Vec<[f64; 3]> {
+    match piece {
+        Piece::Face { corners, .. } => corners.clone(),
+        Piece::Segment { ends, .. } => ends.to_vec(),
+    }
+}
+
+/// An oriented plane `normal · x = offset`.
+struct Plane {
+    normal: [f64; 3],
+    offset: f64,
+}
+
+/// The area vector of a polygon (Newell).
+fn normal(corners: &[[f64; 3]]) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for (i, p) in corners.iter().enumerate() {
+        let q = corners[(i + 1) % corners.len()];
+        for (k, s) in sum.iter_mut().enumerate() {
+            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+            *s += (p[a] - q[a]) * (p[b] + q[b]);
+        }
+    }
+    sum
+}
+
+impl Plane {
+    fn of(piece: &Piece) -> Option<Plane> {
+        let Piece::Face { corners, .. } = piece else { return None };
+        let area = normal(corners);
+        let length = dot(area, area).sqrt();
+        if !(length > 0.0 && length.is_finite()) {
+            return None;
+        }
+        let normal = area.map(|x| x / length);
+        let offset = corners.iter().map(|p| dot(normal, *p)).sum::<f64>() / corners.len() as f64;
+        Some(Plane { normal, offset })
+    }
+
+    /// On which side a point lies; what is nearer than some roundings lies on the plane.
+    fn side(&self, p: [f64; 3], size: f64) -> f64 {
+        let distance = dot(self.normal, p) - self.offset;
+        if distance.abs() <= 4096.0 * f64::EPSILON * size { 0.0 } else { distance }
+    }
+
+    /// Puts a piece behind, on or before the plane, or its parts.
+    fn sort(&self, piece: Piece, size: f64, [behind, on, before]: [&mut Vec<Piece>; 3]) {
+        let sides: Vec<f64> = points(&piece).into_iter().map(|p| self.side(p, size)).collect();
+        match (sides.iter().any(|s| *s < 0.0), sides.iter().any(|s| *s > 0.0)) {
+            (false, false) => on.push(piece),
+            (true, false) => behind.push(piece),
+            (false, true) => before.push(piece),
+            (true, true) => {
+                behind.extend(part(&piece, &sides, -1.0));
+                before.extend(part(&piece, &sides, 1.0));
+            }
+        }
+    }
+}
+
+/// The plane of a face that cuts few others, out of a few.
+fn splitter(set: &[Piece]) -> Option<Plane> {
+    const CANDIDATES: usize = 7;
+    const WITNESSES: usize = 61;
+    let faces: Vec<&Piece> = set.iter().filter(|p| matches!(p, Piece::Face { .. })).collect();
+    if set.len() < 2 || faces.is_empty() {
+        return None;
+    }
+    let spread = |count: usize, of: usize| (0..count.min(of)).map(move |i| i * of / count.min(of));
+    let planes = spread(CANDIDATES, faces.len()).filter_map(|i| Plane::of(faces[i]));
+    let cost = |plane: &Plane| {
+        let (mut cuts, mut sides) = (0, [0_i64; 2]);
+        for i in spread(WITNESSES, set.len()) {
+            let side = points(&set[i]).into_iter().map(|p| plane.side(p, 1.0));
+            let (low, high) = side.fold((0.0_f64, 0.0_f64), |(l, h), s| (l.min(s), h.max(s)));
+            cuts += i64::from(low < 0.0 && high > 0.0);
+            sides[0] += i64::from(low < 0.0);
+            sides[1] += i64::from(high > 0.0);
+        }
+        8 * cuts + (sides[0] - sides[1]).abs()
+    };
+    let first = faces.iter().find_map(|face| Plane::of(face));
+    planes.min_by_key(cost).or(first)
+}
+
+/// The part of a piece on one side, with cuts that are not drawn.
+fn part(piece: &Piece, sides: &[f64], sign: f64) -> Option<Piece> {
+    let between = |p: [f64; 3], q: [f64; 3], s: f64, t: f64| {
+        let k = s / (s - t);
+        [0, 1, 2].map(|i| p[i] + k * (q[i] - p[i]))
+    };
+    match piece {
+        Piece::Segment { ends: [p, q], stroke } => {
+            let cut = between(*p, *q, sides[0], sides[1]);
+            let ends = if sides[0] * sign > 0.0 { [*p, cut] } else { [cut, *q] };
+            Some(Piece::Segment { ends, stroke: *stroke })
+        }
+        Piece::Face { corners, drawn, paint, stroke } => {
+            let (mut kept, mut edges) = (Vec::new(), Vec::new());
+            for i in 0..corners.len() {
+                let j = (i + 1) % corners.len();
+                let (s, t) = (sides[i] * sign, sides[j] * sign);
+                if s >= 0.0 {
+                    kept.push(corners[i]);
+                    // An edge that leaves goes on to the cut; one along the cut is an edge, too.
+                    edges.push(drawn[i] && (s > 0.0 || t >= 0.0));
+                }
+                if s * t < 0.0 {
+                    kept.push(between(corners[i], corners[j], s, t));
+                    edges.push(drawn[i] && t > 0.0);
+                }
+            }
+            let face = Piece::Face { corners: kept, drawn: edges, paint: *paint, stroke: *stroke };
+            matches!(&face, Piece::Face { corners, .. } if corners.len() > 2).then_some(face)
+        }
+    }
+}
+
+fn items(piece: &Piece, view: &View) -> Vec<Item> {
+    let (corners, drawn, paint, stroke) = match piece {
+        Piece::Segment { ends, stroke } => {
+            let points = ends.map(|p| view.project(p)).to_vec();
+            return vec![Item::Polyline { points, stroke: *stroke }];
+        }
+        Piece::Face { corners, drawn, paint, stroke } => (corners, drawn, paint, stroke),
+    };
+    let flat: Vec<[f64; 2]> = corners.iter().map(|p| view.project(*p)).collect();
+    let normal = normal(corners);
+    let up = if normal[2] < 0.0 { normal.map(|x| -x) } else { normal };
+    let fill = match paint {
+        Paint::Sides([front, back]) => {
+            let side = if view.sees(up) { front } else { back };
+            Some(side.lit(view.light(normal)))
+        }
+        Paint::Flat(color) => Some(*color),
+        Paint::Wire => None,
+    };
+    let mut items = Vec::new();
+    if let Some(color) = fill {
+        // A hair of its own colour closes the seams between neighbours.
+        let stroke = Some(Stroke::new(color, Scene::HAIR));
+        items.push(Item::Polygon { corners: flat.clone(), fill, stroke });
+    }
+    let runs = drawn.iter().enumerate().filter(|(_, drawn)| **drawn);
+    if drawn.iter().all(|d| *d) {
+        items.push(Item::Polygon { corners: flat, fill: None, stroke: Some(*stroke) });
+        return items;
+    }
+    items.extend(runs.map(|(i, _)| {
+        let points = vec![flat[i], flat[(i + 1) % flat.len()]];
+        Item::Polyline { points, stroke: *stroke }
+    }));
+    items
+}

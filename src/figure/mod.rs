@@ -1,0 +1,90 @@
+//! Floor 9: the figures of the paper, as exact data and as pictures.
+//!
+//! A [`Figure`] makes exact meshes, says what holds on them, and draws them. What it says is checked
+//! before it is drawn: there is no picture of something that does not hold.
+
+pub mod draw;
+mod exhibit;
+mod fig_08;
+
+pub use exhibit::{Exhibit, NotSo};
+
+use std::fmt;
+
+use crate::mesh::{Mesh, TopologyError};
+use crate::scalar::Rational;
+use draw::Scene;
+
+/// A figure of the paper.
+#[derive(Clone, Copy, Debug)]
+pub struct Figure {
+    /// Its number in the paper.
+    pub number: u8,
+    /// What it shows, in a few words.
+    pub title: &'static str,
+    /// The caption, with the parameters.
+    pub caption: &'static str,
+    /// The claims that it illustrates.
+    pub claims: &'static [&'static str],
+    make: fn() -> Result<Plate, NoFigure>,
+}
+
+/// What a figure is made of.
+#[derive(Clone, Debug)]
+pub struct Plate {
+    /// The exact meshes.
+    pub exhibits: Vec<Exhibit>,
+    /// The picture.
+    pub scene: Scene,
+}
+
+/// Why there is no figure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoFigure {
+    /// A construction refused its parameters.
+    Construction(String),
+    /// Something that the figure says does not hold.
+    NotSo(NotSo),
+}
+
+impl fmt::Display for NoFigure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NoFigure::Construction(why) => write!(f, "{why}"),
+            NoFigure::NotSo(what) => write!(f, "{what}"),
+        }
+    }
+}
+
+impl std::error::Error for NoFigure {}
+
+impl NoFigure {
+    fn of(error: impl fmt::Debug) -> Self {
+        NoFigure::Construction(format!("{error:?}"))
+    }
+}
+
+impl From<TopologyError> for NoFigure {
+    fn from(error: TopologyError) -> Self {
+        NoFigure::of(error)
+    }
+}
+
+impl Figure {
+    /// All figures, in the order of the paper.
+    pub const ALL: [Figure; 1] = [fig_08::FIGURE];
+
+    /// Makes the meshes, checks what the figure says of them, and draws.
+    ///
+    /// # Errors
+    /// [`NoFigure::NotSo`] names what does not hold.
+    pub fn plate(&self) -> Result<Plate, NoFigure> {
+        let plate = (self.make)()?;
+        for exhibit in &plate.exhibits {
+            exhibit.check(&plate.exhibits).map_err(NoFigure::NotSo)?;
+        }
+        Ok(plate)
+    }
+}
+
+type Surface = Mesh<Rational>;
