@@ -2,8 +2,11 @@
 //! the named values.
 
 mod areas;
+mod double_duals;
+mod enclosures;
 mod exact;
 mod faces;
+mod graph_sums;
 mod images;
 mod minimal;
 mod properties;
