@@ -17,19 +17,19 @@ use isogeo::pair::Couple;
 use isogeo::scalar::{Rational, RationalField, Ring};
 use isogeo::space::Point;
 
-/// Family, rows and columns, parameters.
+/// Family, rows and columns, parameters. Powers of a rotation have ever more digits: few sectors.
 const ROWS: [(&str, [usize; 2], &[(&str, &str)]); 11] = [
     ("saddle", [200, 200], &[]),
     ("enneper", [200, 200], &[("center", "-1/2,-1/3")]),
-    ("logarithmoid", [40, 200], &[]),
-    ("bonnet", [20, 100], &[]),
+    ("logarithmoid", [40, 14], &[]),
+    ("bonnet", [12, 14], &[]),
     ("weierstrass", [6, 6], &[]),
     ("circular-net", [6, 6], &[]),
     ("conical-net", [4, 4], &[]),
-    ("rotational-cmc", [100, 100], &[]),
-    ("rotational-constant-k", [100, 100], &[("curvature", "4"), ("integral", "3/7")]),
-    ("rotational-constant-k", [100, 100], &[("curvature", "2"), ("integral", "3/7")]),
-    ("hex-minimal", [20, 100], &[]),
+    ("rotational-cmc", [100, 14], &[]),
+    ("rotational-constant-k", [100, 14], &[("curvature", "4"), ("integral", "3/7")]),
+    ("rotational-constant-k", [100, 14], &[("curvature", "2"), ("integral", "3/7")]),
+    ("hex-minimal", [12, 14], &[]),
 ];
 
 fn main() {

@@ -12,9 +12,7 @@ pub fn run(options: &ConvertOptions, layout: Layout) -> Result<Status, Failure> 
     let mut notes = input.file.notes.clone();
     notes.remove("coords");
     let certificate = input.file.certificate.clone();
-    // Coordinates that enclose others are not those of the mesh that they stand for.
-    let encloses = certificate.as_ref().is_some_and(|c| c.get("enclosure").is_some());
-    let rounded = input.is_rounded() || encloses;
+    let rounded = input.is_inexact();
     let mut write = Options { digits: options.digits, rounded, notes, certificate };
     if options.clear_denominators {
         let cleared = clear_denominators(&mesh).ok_or_else(|| {

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::arguments::{Layout, MakeOptions};
 use super::failure::Failure;
 use super::{Status, koebe, output, words};
+use crate::construct::ENCLOSURE;
 use crate::construct::family::{Enclosure, Family, Member, Parameter, Values};
 use crate::mesh::Mesh;
 use crate::mesh::file::{self, Options};
@@ -69,7 +70,7 @@ fn certificate(enclosure: &Enclosure, parameters: &Value) -> Value {
         json!([low.to_string(), high.to_string()])
     };
     let range = enclosure.written_gauss.as_ref();
-    json!({ "enclosure": {
+    json!({ ENCLOSURE: {
         "says": "not exact: a mesh with constant K lies within the radius of every coordinate",
         "property": PairProperty::ConstantK.name(),
         "K": enclosure.gauss.to_string(),
