@@ -18,7 +18,9 @@ use isogeo::scalar::{Rational, RationalField, Ring};
 use isogeo::space::Point;
 
 /// Family, rows and columns, parameters. Powers of a rotation have ever more digits: few sectors.
-const ROWS: [(&str, [usize; 2], &[(&str, &str)]); 11] = [
+type Row = (&'static str, [usize; 2], &'static [(&'static str, &'static str)]);
+
+const ROWS: [Row; 11] = [
     ("saddle", [200, 200], &[]),
     ("enneper", [200, 200], &[("center", "-1/2,-1/3")]),
     ("logarithmoid", [40, 14], &[]),
