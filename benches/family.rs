@@ -36,7 +36,7 @@ const ROWS: [Row; 11] = [
 
 fn main() {
     let named: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
-    println!("family                      faces   making  proving   digits  (seconds)");
+    println!("family                           faces   making  proving   digits  (seconds)");
     for (name, size, given) in ROWS {
         if named.is_empty() || named.iter().any(|n| n == name) {
             row(Family::from_name(name).expect("a family"), size, given);
@@ -108,5 +108,5 @@ fn print(name: &str, mesh: &Mesh<Rational>, making: f64, proving: Option<f64>) {
     let digits = numbers.map(|x| x.denominator().to_string().len()).max().unwrap_or(0);
     let proving = proving.map_or("-".to_owned(), |t| format!("{t:.4}"));
     let faces = mesh.topology.face_count();
-    println!("{name:<26}{faces:>7}{making:>9.4}{proving:>9}{digits:>9}");
+    println!("{name:<31}{faces:>7}{making:>9.4}{proving:>9}{digits:>9}");
 }
