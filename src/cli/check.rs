@@ -198,6 +198,7 @@ const WITHIN_THE_DIGITS: &str = "  \
 
 fn reading(input: &Input) -> &'static str {
     match input.read_as {
+        _ if input.encloses() => "exact numbers that enclose another mesh: see the certificate",
         _ if input.file.exact && input.read_as != ReadAs::Double => "numbers are exact",
         ReadAs::Decimal => "decimals are read as the numbers themselves",
         ReadAs::Rounded => "a decimal stands for ± half a unit of its last digit",

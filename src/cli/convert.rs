@@ -12,7 +12,7 @@ pub fn run(options: &ConvertOptions, layout: Layout) -> Result<Status, Failure> 
     let mut notes = input.file.notes.clone();
     notes.remove("coords");
     let certificate = input.file.certificate.clone();
-    let rounded = input.is_rounded();
+    let rounded = input.is_inexact();
     let mut write = Options { digits: options.digits, rounded, notes, certificate };
     if options.clear_denominators {
         let cleared = clear_denominators(&mesh).ok_or_else(|| {

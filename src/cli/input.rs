@@ -6,6 +6,7 @@ use super::arguments::{InputOptions, Reading};
 use super::failure::Failure;
 use super::output;
 use crate::check::Decider;
+use crate::construct::ENCLOSURE;
 use crate::mesh::file::{self, Coordinates, MeshFile};
 use crate::mesh::{Mesh, Topology};
 use crate::net::RADIUS;
@@ -62,9 +63,20 @@ impl Input {
         self.file.topology()
     }
 
-    /// Whether the numbers stand for boxes, so that no file made of them may call itself exact.
+    /// Whether the numbers stand for boxes.
     pub fn is_rounded(&self) -> bool {
         self.read_as == ReadAs::Rounded
+    }
+
+    /// Whether the file says that its numbers enclose those of another mesh.
+    pub fn encloses(&self) -> bool {
+        self.file.certificate.as_ref().is_some_and(|c| c.get(ENCLOSURE).is_some())
+    }
+
+    /// Whether the numbers are not those of the mesh that is meant, so that no file made of them may
+    /// call itself exact.
+    pub fn is_inexact(&self) -> bool {
+        self.is_rounded() || self.encloses()
     }
 
     /// The mesh in exact numbers; a rounded number is taken as it is printed.

@@ -27,7 +27,7 @@ pub fn run(options: &InvertOptions, layout: Layout) -> Result<Status, Failure> {
             "choose a centre off all vertices and off the circles of all faces",
         )
     })?;
-    let write = Options { rounded: input.is_rounded(), ..Options::default() };
+    let write = Options { rounded: input.is_inexact(), ..Options::default() };
     let dropped = mesh.data.vertex.len() + mesh.data.face.len() > 0;
     let said = dropped.then_some(("data_kept", json!(false)));
     output::write_saying(&options.output.output, &image, &write, layout, said)?;

@@ -2,17 +2,18 @@
 
 use std::path::Path;
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::arguments::{Layout, MakeOptions};
 use super::failure::Failure;
 use super::{Status, koebe, output, words};
-use crate::construct::family::{Family, Values};
+use crate::construct::ENCLOSURE;
+use crate::construct::family::{Enclosure, Family, Member, Parameter, Values};
 use crate::mesh::Mesh;
 use crate::mesh::file::{self, Options};
 use crate::net::Property;
 use crate::pair::PairProperty;
-use crate::scalar::Rational;
+use crate::scalar::{Ball, Rational, RationalField};
 
 /// Writes the surface, and its Gauss image where there is one.
 pub fn run(options: &MakeOptions, layout: Layout) -> Result<Status, Failure> {
@@ -38,25 +39,57 @@ pub fn run(options: &MakeOptions, layout: Layout) -> Result<Status, Failure> {
         Failure::io(format!("the folder {} cannot be made: {e}", directory.display()))
     })?;
     let mut written = Vec::new();
-    let meshes = [("surface", Some(&member.surface)), ("gauss", member.gauss.as_ref())];
-    for (name, mesh) in meshes {
+    let enclosure =
+        member.enclosure.as_ref().map(|e| certificate(e, &given_values(family, &given)));
+    let meshes =
+        [("surface", Some(&member.surface), enclosure), ("gauss", member.gauss.as_ref(), None)];
+    for (name, mesh, certificate) in meshes {
         let Some(mesh) = mesh else { continue };
         let path = directory.join(format!("{name}.iso.json"));
-        file::write(&path, mesh, &Options::default())?;
+        file::write(&path, mesh, &Options { certificate, ..Options::default() })?;
         written.push((path, mesh));
     }
-    report(family, &written, layout)?;
+    report(family, &member, &written, layout)?;
     Ok(Status::Proved)
+}
+
+/// The parameters as they are used.
+fn given_values(family: Family, given: &[(String, String)]) -> Value {
+    let value = |p: &Parameter| {
+        let own = given.iter().rfind(|(name, _)| name == p.name);
+        let text = own.map_or(p.default, |(_, text)| text.as_str());
+        (p.name.to_owned(), Value::from(text))
+    };
+    Value::Object(family.parameters().iter().map(value).collect())
+}
+
+/// What stands in the file of a mesh that encloses another.
+fn certificate(enclosure: &Enclosure, parameters: &Value) -> Value {
+    let ends = |root: &Ball<Rational>| {
+        let (low, high) = (&root.mid - &root.radius, &root.mid + &root.radius);
+        json!([low.to_string(), high.to_string()])
+    };
+    let range = enclosure.written_gauss.as_ref();
+    json!({ ENCLOSURE: {
+        "says": "not exact: a mesh with constant K lies within the radius of every coordinate",
+        "property": PairProperty::ConstantK.name(),
+        "K": enclosure.gauss.to_string(),
+        "radius": enclosure.radius.to_string(),
+        "roots": enclosure.roots.iter().map(ends).collect::<Vec<_>>(),
+        "written_K": range.map(|range| range.each_ref().map(Rational::to_string)),
+        "parameters": parameters,
+    } })
 }
 
 fn report(
     family: Family,
+    member: &Member,
     written: &[(impl AsRef<Path>, &Mesh<Rational>)],
     layout: Layout,
 ) -> Result<(), Failure> {
-    let (alone, pair) = family.proves();
-    let alone: Vec<_> = alone.iter().copied().map(Property::name).collect();
-    let pair: Vec<_> = pair.iter().copied().map(PairProperty::name).collect();
+    let (alone, pair) = member.proves(family);
+    let alone: Vec<_> = alone.into_iter().map(Property::name).collect();
+    let pair: Vec<_> = pair.into_iter().map(PairProperty::name).collect();
     let files = written.iter().map(|(path, mesh)| {
         (
             path.as_ref().display().to_string(),
@@ -64,21 +97,39 @@ fn report(
             mesh.topology.face_count(),
         )
     });
+    let enclosure = member.enclosure.as_ref();
     if layout.is_json() {
         let files = files.map(
             |(file, vertices, faces)| json!({ "file": file, "vertices": vertices, "faces": faces }),
         );
-        return output::print_json(&json!({
+        let mut made = json!({
             "schema": "isogeo.made/1",
             "family": family.name(),
             "files": files.collect::<Vec<_>>(),
             "proves": { "mesh": alone, "pair": pair },
-        }));
+        });
+        if let Some(e) = enclosure {
+            made["encloses"] = json!({
+                "property": PairProperty::ConstantK.name(),
+                "K": e.gauss.to_string(),
+                "radius": e.radius.to_string(),
+            });
+        }
+        return output::print_json(&made);
     }
     let mut text = String::new();
-    for (file, vertices, faces) in files {
+    for (index, (file, vertices, faces)) in files.enumerate() {
         let size = format!("{}, {}", words::vertices(vertices), words::count(faces, "face"));
-        text += &format!("{file}: {size}, written exactly\n");
+        let how = if index == 0 && enclosure.is_some() { "NOT exact" } else { "written exactly" };
+        text += &format!("{file}: {size}, {how}\n");
+    }
+    if let Some(e) = enclosure {
+        text += &format!(
+            "  encloses a mesh with K = {} at all faces, whose coordinates are irrational: each is within\n  \
+             2^{} of the written one (see the certificate); constant-k itself is not proved\n",
+            e.gauss,
+            exponent_above(&e.radius)
+        );
     }
     let mut proofs = Vec::new();
     if !alone.is_empty() {
@@ -88,6 +139,11 @@ fn report(
         proofs.push(format!("with gauss.iso.json {}", pair.join(", ")));
     }
     output::print(&format!("{text}  check proves: {}\n", proofs.join("; ")))
+}
+
+/// An exponent e with `number ≤ 2^e`.
+fn exponent_above(number: &Rational) -> i64 {
+    number.numerator().bits() as i64 - number.denominator().bits() as i64 + 1
 }
 
 /// Rows and columns.

@@ -30,7 +30,7 @@ pub fn run(options: &MoveOptions, layout: Layout) -> Result<Status, Failure> {
     }
     let input = input::read(&options.input)?;
     let moved = motion.apply(&input.exact());
-    let write = Options { rounded: input.is_rounded(), ..Options::default() };
+    let write = Options { rounded: input.is_inexact(), ..Options::default() };
     output::write(&options.output.output, &moved, &write, layout)?;
     Ok(Status::Proved)
 }

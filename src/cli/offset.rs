@@ -24,7 +24,7 @@ pub fn run(options: &OffsetOptions, layout: Layout) -> Result<Status, Failure> {
     bar.finish_and_clear();
     match found {
         Ok((pair, offset)) => {
-            let rounded = input.is_rounded() || image.is_rounded();
+            let rounded = input.is_inexact() || image.is_inexact();
             let write = Options { rounded, ..Options::default() };
             let dropped = mesh.data.vertex.len() + mesh.data.face.len() > 0;
             let mut said =

@@ -13,13 +13,17 @@
 //! ```math
 //! H = 0: δ δ̂ = C AB,    H constant: δ δ̂ − H δ² = C AB,    K constant: δ² − δ̂²/K = C AB.
 //! ```
+//!
+//! Where steps are square roots, they are enclosed: see
+//! [`enclosed_constant_gauss`](HexagonalRings::enclosed_constant_gauss).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
+use super::enclosure::{Enclosed, bound, first_integral};
 use super::minimal::{MeshPair, NoSurface};
 use super::packing::rays;
 use crate::mesh::{FaceList, Mesh};
-use crate::scalar::Field;
+use crate::scalar::{Ball, Field, RationalField, Ring};
 use crate::space::{Point, Rotation};
 
 /// The slopes of the face planes ring by ring, and half the angle between the faces of a ring.
@@ -29,6 +33,15 @@ pub struct HexagonalRings<T> {
     slopes: Vec<T>,
     /// `A_k B_k`.
     products: Vec<T>,
+}
+
+/// A corner by its step, its kind (0 for L, 1 for U) and the multiple of φ, moved to be positive.
+type Corner = (usize, u8, usize);
+
+/// The corners of hexagon j of ring k, counter-clockwise.
+fn corners(k: usize, j: usize) -> [Corner; 6] {
+    let m = 1 + k % 2 + 2 * j;
+    [(k - 1, 1, m), (k - 1, 0, m - 1), (k, 1, m - 1), (k, 0, m), (k, 1, m + 1), (k - 1, 0, m + 1)]
 }
 
 impl<T: Field> HexagonalRings<T> {
@@ -101,47 +114,31 @@ impl<T: Field> HexagonalRings<T> {
         if steps.len() != self.products.len() {
             return Err(NoSurface::NoSector);
         }
-        let rings = self.slopes.len() - 2;
-        // Corners are named by ring, kind (0 for L, 1 for U) and the multiple of φ, moved to be positive.
-        let corners = |k: usize, j: usize| {
-            let m = 1 + k % 2 + 2 * j;
-            [
-                (k - 1, 1, m),
-                (k - 1, 0, m - 1),
-                (k, 1, m - 1),
-                (k, 0, m),
-                (k, 1, m + 1),
-                (k - 1, 0, m + 1),
-            ]
-        };
-        let faces = (1..=rings).flat_map(|k| (0..hexagons).map(move |j| (k, j)));
-        let mut names: BTreeMap<(usize, u8, usize), u32> = BTreeMap::new();
-        for (k, j) in faces.clone() {
-            corners(k, j).into_iter().for_each(|name| {
-                names.insert(name, 0);
-            });
-        }
+        let mut names: BTreeMap<Corner, u32> = self.corners(hexagons).map(|c| (c, 0)).collect();
         let rays = rays(&self.half_sector, 2 * hexagons + 2);
         let mut points = Vec::with_capacity(names.len());
-        let heights = self.offsets(steps);
-        let cosine = self.half_sector.cos();
+        let meridian = self.meridian(steps, T::clone).ok_or(NoSurface::NoSector)?;
         for (index, (&(k, kind, m), id)) in names.iter_mut().enumerate() {
             *id = index as u32;
-            let (inner, outer) = (&self.slopes[k], &self.slopes[k + 1]);
-            let (divisor, slope, offset) = if kind == 1 {
-                (outer - cosine * inner, outer, &heights[k + 1])
-            } else {
-                (cosine * outer - inner, inner, &heights[k])
-            };
-            let radius = steps[k].try_div(&divisor).ok_or(NoSurface::NoSector)?;
-            let ray = &rays[m];
-            points.push(Point::new(&radius * &ray.x, &radius * &ray.y, slope * &radius + offset));
+            let ([radius, height], ray) = (&meridian[k][usize::from(kind)], &rays[m]);
+            points.push(Point::new(radius * &ray.x, radius * &ray.y, height.clone()));
         }
         let mut list = FaceList::new();
-        for (k, j) in faces {
+        for (k, j) in self.faces(hexagons) {
             list.push(corners(k, j).iter().filter_map(|name| names.get(name)).copied());
         }
         Ok(Mesh::new(points, list)?)
+    }
+
+    /// Ring and place of every hexagon.
+    fn faces(&self, hexagons: usize) -> impl Iterator<Item = (usize, usize)> {
+        (1..self.slopes.len() - 1).flat_map(move |k| (0..hexagons).map(move |j| (k, j)))
+    }
+
+    /// The corners of all hexagons, in the order of the vertices.
+    fn corners(&self, hexagons: usize) -> impl Iterator<Item = Corner> + use<T> {
+        let all: BTreeSet<Corner> = self.faces(hexagons).flat_map(|(k, j)| corners(k, j)).collect();
+        all.into_iter()
     }
 
     /// The pair of the meshes with these steps.
@@ -161,14 +158,73 @@ impl<T: Field> HexagonalRings<T> {
         Ok(MeshPair { surface, gauss: Mesh { points, ..gauss } })
     }
 
-    /// The heights `τ_k` from `τ_0 = 0`.
-    fn offsets(&self, steps: &[T]) -> Vec<T> {
-        let mut height = T::zero();
-        let mut heights = vec![height.clone()];
-        for step in steps {
-            height -= step;
-            heights.push(height.clone());
-        }
-        heights
+    /// Radius and height of `L_k` and of `U_k`, step by step; linear in the steps, which may be of
+    /// another kind than the slopes. `None` where a divisor is 0.
+    fn meridian<R: Ring>(
+        &self,
+        steps: &[R],
+        constant: impl Fn(&T) -> R,
+    ) -> Option<Vec<[[R; 2]; 2]>> {
+        let cosine = self.half_sector.cos();
+        let mut outer_offset = R::zero();
+        let point = |(k, step): (usize, &R)| {
+            let (inner, outer) = (&self.slopes[k], &self.slopes[k + 1]);
+            let inner_offset = outer_offset.clone();
+            outer_offset -= step;
+            let on = |divisor: T, slope: &T, offset: &R| {
+                let radius = constant(&divisor.try_inv()?) * step;
+                let height = constant(slope) * &radius + offset;
+                Some([radius, height])
+            };
+            Some([
+                on(cosine * outer - inner, inner, &inner_offset)?,
+                on(outer - cosine * inner, outer, &outer_offset)?,
+            ])
+        };
+        steps.iter().enumerate().map(point).collect()
+    }
+}
+
+impl<Q: RationalField> HexagonalRings<Q> {
+    /// The steps `δ = √(δ̂²/K + C AB)` of M, not negative, for the steps of a given S: constant
+    /// curvature K. Each is enclosed to `2^−bits`, and exact where it is rational.
+    ///
+    /// `None` for `K = 0`, or where a root is not real.
+    pub fn enclosed_constant_gauss(
+        &self,
+        image: &[Q],
+        gauss: &Q,
+        integral: &Q,
+        bits: u32,
+    ) -> Option<Vec<Ball<Q>>> {
+        let step =
+            |(image, product): (&Q, &Q)| first_integral(image, gauss, &(integral * product), bits);
+        image.iter().zip(&self.products).map(step).collect()
+    }
+
+    /// The pair of meshes for steps of M that are enclosed. What is written is again f-parallel to S;
+    /// only K is that of the enclosed mesh.
+    ///
+    /// # Errors
+    /// As for [`mesh`](Self::mesh).
+    pub fn enclosed_pair(
+        &self,
+        steps: Vec<Ball<Q>>,
+        image: &[Q],
+        hexagons: usize,
+    ) -> Result<Enclosed<Q>, NoSurface<Q>> {
+        let middle: Vec<Q> = steps.iter().map(|step| step.mid.clone()).collect();
+        let pair = self.pair(&middle, image, hexagons)?;
+        let meridian = self.meridian(&steps, |x| Ball::new(x.clone(), Q::zero()));
+        let meridian = meridian.ok_or(NoSurface::NoSector)?;
+        // Rays are unit vectors.
+        let bounds = self
+            .corners(hexagons)
+            .map(|(k, kind, _)| {
+                let [radius, height] = &meridian[k][usize::from(kind)];
+                bound([radius, height])
+            })
+            .collect();
+        Ok(Enclosed::new(pair, steps, bounds))
     }
 }

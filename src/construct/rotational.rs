@@ -7,12 +7,15 @@
 //! ```math
 //! H constant:   r r̂ − H r² = C,      K constant:   r² = r̂²/K + C.
 //! ```
+//!
+//! Where the radii are square roots, they are enclosed: see [`enclosed_curvature_rings`].
 
+use super::enclosure::{Enclosed, bound, first_integral};
 use super::minimal::{MeshPair, NoSurface};
 use super::packing::{grid, rays};
 use super::quad_patch;
 use crate::mesh::Mesh;
-use crate::scalar::Field;
+use crate::scalar::{Ball, Field, RationalField, Ring};
 use crate::space::{Point, Rotation};
 
 /// The radii of a ring of M and of the ring of S that belongs to it.
@@ -84,6 +87,56 @@ pub fn negative_curvature_rings<T: Field>(
     parameters.iter().map(ring).collect()
 }
 
+/// The radii `r = √(r̂²/K + C)` of M, not negative, for given radii of S: constant curvature K. Each
+/// is enclosed to `2^−bits`, and exact where it is rational.
+///
+/// `None` for `K = 0`, or where a root is not real.
+pub fn enclosed_curvature_rings<Q: RationalField>(
+    images: &[Q],
+    gauss: &Q,
+    integral: &Q,
+    bits: u32,
+) -> Option<Vec<Ball<Q>>> {
+    images.iter().map(|image| first_integral(image, gauss, integral, bits)).collect()
+}
+
+/// The mesh of [`rotational_pair`] for radii of M that are enclosed. What is written is again
+/// f-parallel to S, and both are i-circular and i-conical; only K is that of the enclosed mesh.
+///
+/// # Errors
+/// As for [`rotational_pair`].
+pub fn enclosed_rotational_pair<Q: RationalField>(
+    radii: Vec<Ball<Q>>,
+    images: &[Q],
+    sector: &Rotation<Q>,
+    sectors: usize,
+) -> Result<Enclosed<Q>, NoSurface<Q>> {
+    let ring = |(radius, image): (&Ball<Q>, &Q)| RingRadii {
+        radius: radius.mid.clone(),
+        image: image.clone(),
+    };
+    let rings: Vec<_> = radii.iter().zip(images).map(ring).collect();
+    let pair = rotational_pair(&rings, sector, sectors)?;
+    let heights = heights(&radii, images, |slope| Ball::new(slope.clone(), Q::zero()));
+    // Rays are unit vectors.
+    let bounds: Vec<Q> = radii.iter().zip(&heights).map(|(r, z)| bound([r, z])).collect();
+    let bounds = grid(rings.len() - 1, sectors).map(|(k, _)| bounds[k].clone()).collect();
+    Ok(Enclosed::new(pair, radii, bounds))
+}
+
+/// The heights of the rings from 0: `Δz = ½ (r̂_k + r̂_{k+1}) Δr`.
+fn heights<T: Field, R: Ring>(radii: &[R], images: &[T], constant: impl Fn(&T) -> R) -> Vec<R> {
+    let half = T::from_ratio(1, 2);
+    let mut height = R::zero();
+    let mut heights = vec![height.clone()];
+    for (radii, images) in radii.windows(2).zip(images.windows(2)) {
+        let slope = (&images[0] + &images[1]) * &half;
+        height += &(constant(&slope) * (&radii[1] - &radii[0]));
+        heights.push(height.clone());
+    }
+    heights
+}
+
 /// The rotational mesh M with these rings on the rays of angle `jθ`, and its Gauss image S inscribed to
 /// Σ: `ẑ = r̂²/2`, and `Δz = ½ (r̂_k + r̂_{k+1}) Δr`. Ring k is row k, ray j is column j; the first ring
 /// of M has height 0.
@@ -110,13 +163,9 @@ pub fn rotational_pair<T: Field>(
     }
     let half = T::from_ratio(1, 2);
     let rays = rays(sector, sectors);
-    let mut height = T::zero();
-    let mut heights = vec![height.clone()];
-    for step in rings.windows(2) {
-        let slope = (&step[0].image + &step[1].image) * &half;
-        height = height + slope * (&step[1].radius - &step[0].radius);
-        heights.push(height.clone());
-    }
+    let radii: Vec<T> = rings.iter().map(|ring| ring.radius.clone()).collect();
+    let images: Vec<T> = rings.iter().map(|ring| ring.image.clone()).collect();
+    let heights = heights(&radii, &images, T::clone);
     let last = rings.len() - 1;
     let mesh = |radius: &dyn Fn(usize) -> T, height: &dyn Fn(usize) -> T| {
         let point = |(k, j): (usize, usize)| {

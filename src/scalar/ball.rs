@@ -53,6 +53,38 @@ impl Midpoint for BigInt {
     }
 }
 
+impl<Q: RationalField> Midpoint for Q {
+    fn outward(radius: Q, _: &Q) -> Q {
+        radius
+    }
+}
+
+impl<Q: RationalField> Ball<Q> {
+    /// The square root that is not negative: the number itself where it is rational, else half a
+    /// unit about the middle of the two multiples of `2^−bits` next to it, from integer square roots.
+    /// A negative number has none.
+    ///
+    /// ```
+    /// use isogeo::scalar::{Ball, Field, Rational, Ring};
+    /// let root = Ball::root(&Rational::from_i64(2), 3);
+    /// assert_eq!(root, Some(Ball::new(Rational::from_ratio(23, 16), Rational::from_ratio(1, 16))));
+    /// ```
+    pub fn root(number: &Q, bits: u32) -> Option<Self> {
+        if let Some(root) = number.root() {
+            return Some(Ball { mid: root, radius: Q::zero() });
+        }
+        if number.certain_sign() == Some(Sign::Negative) {
+            return None;
+        }
+        let below = ((number.numerator() << (2 * u64::from(bits))) / number.denominator()).sqrt();
+        let parts = BigInt::one() << (u64::from(bits) + 1);
+        Some(Ball {
+            mid: Q::from_fraction((below << 1) + BigInt::one(), parts.clone())?,
+            radius: Q::from_fraction(BigInt::one(), parts)?,
+        })
+    }
+}
+
 impl<T: Midpoint> Ball<T> {
     /// The ball about `mid`; a negative radius is a mistake of the caller.
     #[inline]

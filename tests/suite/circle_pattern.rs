@@ -56,6 +56,31 @@ fn an_inverted_grid_is_found_from_its_boundary() {
     assert!(other.defect < 1e-13 && moved.abs() > 1e-4);
 }
 
+/// Small systems are factorised, in the order of the file or another, larger ones are not: the names
+/// of the vertices do not matter.
+#[test]
+fn relabelled_meshes_have_the_same_pattern() {
+    for (n, stride) in [(20, 10), (60, 10)] {
+        let count = (n + 1) * (n + 1);
+        let name = |v: usize| (v * stride % count) as u32;
+        let mesh = patch(n, n);
+        let mut faces = FaceList::new();
+        for f in mesh.faces() {
+            faces.push(mesh.face(f).iter().map(|v| name(v.index())));
+        }
+        let other = Topology::new(count, faces).unwrap();
+        let mut asked = vec![0.0; count];
+        mesh.vertices().for_each(|v| asked[name(v.index()) as usize] = inverted(v, n));
+        let pattern =
+            CirclePattern::disc(&other, |v| CircleCondition::Radius(asked[v.index()])).unwrap();
+        assert!(pattern.defect < 1e-13, "{}", pattern.defect);
+        for v in other.vertices() {
+            let error = pattern.vertex_radius(v) / asked[v.index()] - 1.0;
+            assert!(error.abs() < SMALL, "vertex {}: {error}", v.0);
+        }
+    }
+}
+
 /// `r²(r₁+r₂+r₃+r₄) = r₁r₂r₃ + ...`, for faces and for interior vertices of valence 4.
 #[test]
 fn radii_solve_the_equation_of_schramm() {

@@ -3,8 +3,11 @@
 
 mod areas;
 mod centres;
+mod double_duals;
+mod enclosures;
 mod exact;
 mod faces;
+mod graph_sums;
 mod images;
 mod minimal;
 mod properties;

@@ -63,7 +63,7 @@ impl Columns {
                 At::Faces => add(Property::IConical, &mut mesh.data.vertex),
             }
         }
-        let options = Options { rounded: input.is_rounded(), ..Options::default() };
+        let options = Options { rounded: input.is_inexact(), ..Options::default() };
         if layout.is_json() {
             file::write(path, &mesh, &options)?;
             Ok(())

@@ -10,6 +10,7 @@
 
 mod angles;
 mod conjugate_gradients;
+mod envelope;
 mod koebe;
 mod layout;
 mod multigrid;
@@ -239,9 +240,8 @@ fn newton(circles: &Circles<'_>) -> Result<Found, NoPattern> {
     /// A step does not change a radius by more than this factor's logarithm.
     const LONGEST: f64 = 3.0;
     let reduced = Reduced::new(circles);
-    let mut x = start(circles, &reduced);
+    let (mut x, mut multigrid) = start(circles, &reduced);
     let mut steps = Vec::new();
-    let mut multigrid = None;
     let mut at = circles.linearise(&x);
     let mut defect = largest(&at.excess);
     // What is left of sums of a few angles of size π.
@@ -254,8 +254,9 @@ fn newton(circles: &Circles<'_>) -> Result<Found, NoPattern> {
         let tolerance = defect.max(rounding / defect).min(0.02);
         let found = conjugate_gradients::solve(&matrix, &solver, &right, tolerance);
         steps.push(found.steps);
-        // The hierarchy of an earlier step serves as long as it works well.
-        if found.steps <= 30 {
+        // That of an earlier step serves as long as it works well.
+        let patience = if solver.is_factor() { 6 } else { 30 };
+        if found.steps <= patience {
             multigrid = Some(solver);
         }
         let step = reduced.expand(&found.x, &at);
@@ -291,8 +292,9 @@ fn newton(circles: &Circles<'_>) -> Result<Found, NoPattern> {
     Err(diverged(circles, &x, 2.0 * defect))
 }
 
-/// Logarithms to begin with: those of the given radii, spread as a harmonic function.
-fn start(circles: &Circles<'_>, reduced: &Reduced<'_>) -> Vec<f64> {
+/// Logarithms to begin with: those of the given radii, spread as a harmonic function; and what has
+/// solved for them. As long as neighbours have similar radii, all systems are near this one.
+fn start(circles: &Circles<'_>, reduced: &Reduced<'_>) -> (Vec<f64>, Option<Multigrid>) {
     let given = |asked: &CircleCondition| match asked {
         CircleCondition::Radius(radius) => Some(radius.ln()),
         CircleCondition::Angle(_) | CircleCondition::Line => None,
@@ -301,14 +303,15 @@ fn start(circles: &Circles<'_>, reduced: &Reduced<'_>) -> Vec<f64> {
     let mean = known.iter().sum::<f64>() / known.len().max(1) as f64;
     let mut x: Vec<f64> = circles.asked.iter().map(|c| given(c).unwrap_or(mean)).collect();
     if known.iter().all(|&k| k == mean) {
-        return x;
+        return (x, None);
     }
     let at = circles.harmonic(&x);
     let (matrix, right) = reduced.system(&at);
-    let found = conjugate_gradients::solve(&matrix, &Multigrid::new(&matrix), &right, 0.01);
+    let solver = Multigrid::new(&matrix);
+    let found = conjugate_gradients::solve(&matrix, &solver, &right, 0.01);
     let step = reduced.expand(&found.x, &at);
     x.iter_mut().zip(&step).for_each(|(x, s)| *x += s);
-    x
+    (x, Some(solver))
 }
 
 /// The circles that run away towards radius 0 ask for too much: those below the largest gap.

@@ -6,13 +6,14 @@
 
 use rayon::prelude::*;
 
+use super::envelope::Envelope;
 use super::sparse::Sparse;
 
 /// A hierarchy of ever smaller systems.
 pub(super) struct Multigrid {
     levels: Vec<Level>,
-    /// The Cholesky factor of the coarsest system, by rows.
-    coarsest: Vec<Vec<f64>>,
+    /// The factor of the coarsest system; none where nothing could be joined any more before.
+    coarsest: Option<Envelope>,
 }
 
 struct Level {
@@ -24,40 +25,40 @@ struct Level {
 
 /// Damping of the Jacobi steps: the spectrum of a scaled Laplacian lies in [0, 2].
 const DAMPING: f32 = 2.0 / 3.0;
-/// Unknowns of a system that is factorised.
-const COARSEST: usize = 200;
+/// For every unknown of the finest system, so many products may be spent on a factor.
+const PRODUCTS: usize = 2500;
 
 impl Multigrid {
-    /// Coarsens until the system is small.
+    /// Coarsens until the factor of the system is cheap: small systems are not coarsened at all.
     pub fn new(matrix: &Sparse<f64>) -> Self {
+        let most = PRODUCTS * matrix.rows();
         let mut matrix = matrix.map(|&x| x as f32);
         let mut levels = Vec::new();
-        while matrix.rows() > COARSEST {
+        loop {
+            if let Some(coarsest) = Envelope::new(&matrix, most) {
+                return Multigrid { levels, coarsest: Some(coarsest) };
+            }
+            let inverse_diagonal = inverse_diagonal(&matrix);
             let aggregates = aggregate(&matrix);
             let coarse = aggregates.iter().max().map_or(0, |&a| a as usize + 1);
             // Where nothing can be joined any more, the Jacobi steps have to do.
             if coarse == 0 || coarse * 10 > matrix.rows() * 9 {
-                break;
+                let none = Sparse { starts: vec![0], columns: Vec::new(), values: Vec::new() };
+                let (interpolation, restriction) = (none.clone(), none);
+                levels.push(Level { matrix, inverse_diagonal, interpolation, restriction });
+                return Multigrid { levels, coarsest: None };
             }
-            let inverse_diagonal = inverse_diagonal(&matrix);
             let interpolation = smoothed(&matrix, &inverse_diagonal, &aggregates, coarse);
             let restriction = interpolation.transposed(coarse);
             let next = restriction.times(&matrix.times(&interpolation, coarse), coarse);
             levels.push(Level { matrix, inverse_diagonal, interpolation, restriction });
             matrix = next;
         }
-        let coarsest = if matrix.rows() <= COARSEST { cholesky(&matrix) } else { Vec::new() };
-        if coarsest.is_empty() && matrix.rows() > 0 {
-            let inverse_diagonal = inverse_diagonal(&matrix);
-            let none = Sparse { starts: vec![0], columns: Vec::new(), values: Vec::new() };
-            levels.push(Level {
-                matrix,
-                inverse_diagonal,
-                interpolation: none.clone(),
-                restriction: none,
-            });
-        }
-        Multigrid { levels, coarsest }
+    }
+
+    /// Whether it is a factor of the system itself.
+    pub fn is_factor(&self) -> bool {
+        self.levels.is_empty()
     }
 
     /// One V-cycle from zero: an approximate solution, linear and symmetric in the right-hand side.
@@ -68,7 +69,7 @@ impl Multigrid {
 
     fn cycle(&self, depth: usize, right: &[f32]) -> Vec<f32> {
         let Some(level) = self.levels.get(depth) else {
-            return solve(&self.coarsest, right);
+            return self.coarsest.as_ref().map_or(right.to_vec(), |factor| factor.solve(right));
         };
         let Level { matrix, inverse_diagonal, interpolation, restriction } = level;
         let scaled = |x: f32, d: f32| DAMPING * x * d;
@@ -153,43 +154,4 @@ fn smoothed(
         }
     }
     smoothed
-}
-
-/// The lower factor of a small positive definite matrix, by rows; a pivot that is not positive is
-/// replaced, so that the result stays a preconditioner.
-fn cholesky(matrix: &Sparse<f32>) -> Vec<Vec<f64>> {
-    let n = matrix.rows();
-    let mut lower: Vec<Vec<f64>> = (0..n).map(|i| vec![0.0; i + 1]).collect();
-    for i in 0..n {
-        for (j, &a) in matrix.row(i).filter(|&(j, _)| j <= i) {
-            lower[i][j] = f64::from(a);
-        }
-        let scale = lower[i][i];
-        for j in 0..=i {
-            let known: f64 = (0..j).map(|k| lower[i][k] * lower[j][k]).sum();
-            let rest = lower[i][j] - known;
-            lower[i][j] = if j < i {
-                rest / lower[j][j]
-            } else if rest > scale * f64::from(f32::EPSILON) {
-                rest.sqrt()
-            } else {
-                scale.abs().sqrt().max(1.0)
-            };
-        }
-    }
-    lower
-}
-
-fn solve(lower: &[Vec<f64>], right: &[f32]) -> Vec<f32> {
-    let mut x: Vec<f64> = right.iter().map(|&r| f64::from(r)).collect();
-    for i in 0..x.len() {
-        let known: f64 = (0..i).map(|k| lower[i][k] * x[k]).sum();
-        x[i] = (x[i] - known) / lower[i][i];
-    }
-    for i in (0..x.len()).rev() {
-        x[i] /= lower[i][i];
-        let value = x[i];
-        (0..i).for_each(|k| x[k] -= lower[i][k] * value);
-    }
-    x.into_iter().map(|x| x as f32).collect()
 }

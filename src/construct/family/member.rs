@@ -3,7 +3,9 @@
 use std::error::Error;
 use std::fmt;
 
+use super::enclosed::{enclosed_hexagonal, enclosed_rotational};
 use super::{BadValue, Family, Values};
+use crate::construct::Enclosed;
 use crate::construct::hexagonal::HexagonalRings;
 use crate::construct::minimal::{
     MeshPair, Weierstrass, WeierstrassData, bonnet, enneper, helicoid, logarithmoid, saddle,
@@ -16,7 +18,9 @@ use crate::construct::{
     quad_patch, translational_net,
 };
 use crate::mesh::{Data, FaceList, Mesh, VertexId};
-use crate::scalar::{Approx, Field, Ordered, Rational, RationalField, Ring, Sign};
+use crate::net::Property;
+use crate::pair::PairProperty;
+use crate::scalar::{Approx, Ball, Field, Ordered, Rational, RationalField, Ring, Sign};
 use crate::space::{Expression, Point, TopView, Vector2};
 
 type Q = Rational;
@@ -28,6 +32,50 @@ pub struct Member {
     pub surface: Mesh<Q>,
     /// The mesh S.
     pub gauss: Option<Mesh<Q>>,
+    /// Where M is not the mesh that was asked for, but encloses it: how.
+    pub enclosure: Option<Enclosure>,
+}
+
+/// A mesh of constant K that is enclosed by a written one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Enclosure {
+    /// The curvature K of the enclosed mesh.
+    pub gauss: Q,
+    /// The roots that its coordinates are linear in, from ring to ring.
+    pub roots: Vec<Ball<Q>>,
+    /// What no coordinate of a vertex is farther from the written one than.
+    pub radius: Q,
+    /// The least and the greatest K of the faces of the written mesh, where it is defined.
+    pub written_gauss: Option<[Q; 2]>,
+}
+
+impl Member {
+    pub(super) fn exact(surface: Mesh<Q>, gauss: Option<Mesh<Q>>) -> Self {
+        Member { surface, gauss, enclosure: None }
+    }
+
+    /// Exact where all roots turned out to be rational.
+    pub(super) fn enclosed(enclosed: Enclosed<Q>, gauss: Q) -> Self {
+        let (radius, written_gauss) = (enclosed.radius(), enclosed.written_gauss());
+        let Enclosed { mut pair, roots } = enclosed;
+        if radius.is_zero() {
+            pair.surface.data = Data::default();
+            return Member::exact(pair.surface, Some(pair.gauss));
+        }
+        Member {
+            surface: pair.surface,
+            gauss: Some(pair.gauss),
+            enclosure: Some(Enclosure { gauss, roots, radius, written_gauss }),
+        }
+    }
+
+    /// What `check` proves of this member of the family, and of the pair: less than of the others
+    /// where the mesh is enclosed.
+    pub fn proves(&self, family: Family) -> (Vec<Property>, Vec<PairProperty>) {
+        let (alone, pair) = family.proves();
+        let exact = |p: &PairProperty| self.enclosure.is_none() || *p != PairProperty::ConstantK;
+        (alone.to_vec(), pair.iter().copied().filter(exact).collect())
+    }
 }
 
 /// Why a family has no such member.
@@ -57,7 +105,7 @@ impl From<BadValue> for NoMember {
 }
 
 /// Whatever a construction says.
-fn no<E: Into<Box<dyn Error + Send + Sync>>>(reason: E) -> NoMember {
+pub(super) fn no<E: Into<Box<dyn Error + Send + Sync>>>(reason: E) -> NoMember {
     NoMember::Construction(reason.into())
 }
 
@@ -82,7 +130,7 @@ impl Family {
             Family::Logarithmoid => whole(logarithmoid(m, n, &values.half_angle()?)),
             Family::Helicoid => {
                 let surface = helicoid(m, n, &values.half_angle()?).map_err(no)?;
-                Ok(Member { surface, gauss: None })
+                Ok(Member::exact(surface, None))
             }
             Family::Bonnet => {
                 whole(bonnet(m, n, &values.half_angle()?, &values.top_view("center")?))
@@ -101,7 +149,7 @@ impl Family {
                 let mean = mean.ok_or_else(|| no("there is no face"))?;
                 let pair = inscribed_f_parallel(&surface, start, &mean).map_err(no)?;
                 let gauss = Some(pair.into_image());
-                Ok(Member { surface, gauss })
+                Ok(Member::exact(surface, gauss))
             }
             Family::ConicalNet => {
                 small([m, n], 4)?;
@@ -109,7 +157,7 @@ impl Family {
                 let surface = metric_dual(&net).map_err(no)?;
                 let pair = circumscribed_f_parallel(&surface).map_err(no)?.pair;
                 let gauss = Some(pair.into_image());
-                Ok(Member { surface, gauss })
+                Ok(Member::exact(surface, gauss))
             }
             Family::TriangleGraph => triangle_graph([m, n], values),
             Family::RotationalCmc => {
@@ -140,7 +188,7 @@ fn integer(n: usize) -> Q {
     Q::from_i64(n as i64)
 }
 
-fn ratio(p: usize, q: usize) -> Q {
+pub(super) fn ratio(p: usize, q: usize) -> Q {
     Q::from_ratio(p as i64, q as i64)
 }
 
@@ -148,7 +196,7 @@ fn whole<E: Into<Box<dyn Error + Send + Sync>>>(
     pair: Result<MeshPair<Q>, E>,
 ) -> Result<Member, NoMember> {
     let MeshPair { surface, gauss } = pair.map_err(no)?;
-    Ok(Member { surface, gauss: Some(gauss) })
+    Ok(Member::exact(surface, Some(gauss)))
 }
 
 /// Positions from −1 to 1.
@@ -168,7 +216,7 @@ fn paraboloid([m, n]: [usize; 2], values: &Values) -> Result<Member, NoMember> {
     let (f, g) = (profile(m, &a), profile(n, &b));
     let surface = translational_net(&f, &g).map_err(no)?;
     let gauss = translational_net(&image(&f, &a), &image(&g, &b)).map_err(no)?;
-    Ok(Member { surface, gauss: Some(gauss) })
+    Ok(Member::exact(surface, Some(gauss)))
 }
 
 fn triangle_graph([m, n]: [usize; 2], values: &Values) -> Result<Member, NoMember> {
@@ -198,18 +246,21 @@ fn triangle_graph([m, n]: [usize; 2], values: &Values) -> Result<Member, NoMembe
     }
     let surface = Mesh::new(quads.points, faces).map_err(no)?;
     let gauss = Some(lift(&surface));
-    Ok(Member { surface, gauss })
+    Ok(Member::exact(surface, gauss))
 }
 
+/// Exact where the square roots of |K|, and for negative K of C, are rational.
 fn rotational_constant_gauss([m, n]: [usize; 2], values: &Values) -> Result<Member, NoMember> {
     let half_angle = values.half_angle()?;
     let (gauss, integral) = (values.non_zero("curvature")?, values.non_zero("integral")?);
-    let negative = gauss.certain_sign() == Some(Sign::Negative);
-    let expected = "the square of a fraction or minus such a square";
-    let root = square_root(&gauss.magnitude()).ok_or_else(|| values.bad("curvature", expected))?;
-    let rings = if negative {
-        let expected = "the square of a fraction if the curvature is negative";
-        let amplitude = square_root(&integral).ok_or_else(|| values.bad("integral", expected))?;
+    let sector = half_angle.then(&half_angle);
+    let Some(root) = gauss.magnitude().root() else {
+        return enclosed_rotational([m, n], values, &sector);
+    };
+    let rings = if gauss.certain_sign() == Some(Sign::Negative) {
+        let Some(amplitude) = integral.root() else {
+            return enclosed_rotational([m, n], values, &sector);
+        };
         let parameters: Vec<Q> = (0..=m).map(|k| ratio(m + 1 - k, m + 2)).collect();
         negative_curvature_rings(&parameters, &root, &(amplitude * &root))
     } else {
@@ -217,16 +268,7 @@ fn rotational_constant_gauss([m, n]: [usize; 2], values: &Values) -> Result<Memb
         positive_curvature_rings(&parameters, &root, &(integral * gauss))
     };
     let rings = rings.ok_or_else(|| no("a radius is not defined"))?;
-    whole(rotational_pair(&rings, &half_angle.then(&half_angle), n))
-}
-
-/// The root of a square of a fraction.
-fn square_root(number: &Q) -> Option<Q> {
-    if number.certain_sign() == Some(Sign::Negative) {
-        return None;
-    }
-    let root = Q::from_fraction(number.numerator().sqrt(), number.denominator().sqrt())?;
-    (root.square() == *number).then_some(root)
+    whole(rotational_pair(&rings, &sector, n))
 }
 
 /// Hexagons whose slopes grow by 3/2 from ring to ring.
@@ -253,9 +295,9 @@ fn hexagonal(family: Family, [m, n]: [usize; 2], values: &Values) -> Result<Memb
             (steps, image)
         }
         Family::HexConstantK => {
-            let curvature = values.non_zero("curvature")?;
-            let expected = "the square of a fraction";
-            let root = square_root(&curvature).ok_or_else(|| values.bad("curvature", expected))?;
+            let Some(root) = values.non_zero("curvature")?.root() else {
+                return enclosed_hexagonal(n, values, &rings);
+            };
             // q − p = 2 δ̂/k and pq = C AB, rounded.
             let factor = |(d, product): (&Q, Q)| {
                 let d = d.to_f64() / root.to_f64();

@@ -1,12 +1,14 @@
 //! The families of meshes by name, with their parameters, defaults, and what they prove.
 //!
 //! Each is one call of a construction, over rational numbers. Where a curve is not rational, its
-//! points are chosen so that they are: see the summaries.
+//! points are chosen so that they are, or the mesh is enclosed: see the summaries and
+//! [`Enclosure`].
 
+mod enclosed;
 mod member;
 mod values;
 
-pub use member::{Member, NoMember};
+pub use member::{Enclosure, Member, NoMember};
 pub use values::{BadValue, Values};
 
 use crate::net::Property;
@@ -129,14 +131,14 @@ impl Family {
             }
             Family::RotationalCmc => "r R - H r² = C for the radii r of M and R of S",
             Family::RotationalConstantK => {
-                "r² - R²/K = C; K is a square of a fraction, or minus one"
+                "r² - R²/K = C; exact for squares of fractions, else enclosed to so many bits"
             }
             Family::HexMinimal => {
                 "hexagons with H = 0, S circumscribed; cosine and sine of half a sector"
             }
             Family::HexCmc => "hexagons with H constant, S almost circumscribed",
             Family::HexConstantK => {
-                "hexagons with K constant, the square of a fraction, S almost circumscribed"
+                "hexagons with K constant; exact for squares of fractions, else enclosed to so many bits"
             }
         }
     }
@@ -159,6 +161,7 @@ impl Family {
     /// The parameters with their defaults.
     pub fn parameters(self) -> &'static [Parameter] {
         const SECTOR: Parameter = parameter("half-angle", "40/41,9/41");
+        const BITS: Parameter = parameter("bits", "64");
         match self {
             Family::Paraboloid => const { &[parameter("curvatures", "1,1/2")] },
             Family::Saddle => &[],
@@ -174,19 +177,20 @@ impl Family {
                 const { &[SECTOR, parameter("mean", "1"), parameter("integral", "-1/2")] }
             }
             Family::RotationalConstantK => {
-                const { &[SECTOR, parameter("curvature", "-1"), parameter("integral", "1")] }
+                const { &[SECTOR, parameter("curvature", "-1"), parameter("integral", "1"), BITS] }
             }
             Family::HexMinimal => const { &[SECTOR, parameter("integral", "7/3")] },
             Family::HexCmc => {
                 const { &[SECTOR, parameter("mean", "1"), parameter("integral", "-3")] }
             }
             Family::HexConstantK => {
-                const { &[SECTOR, parameter("curvature", "1"), parameter("integral", "7/3")] }
+                const { &[SECTOR, parameter("curvature", "1"), parameter("integral", "7/3"), BITS] }
             }
         }
     }
 
-    /// What `check` proves of the surface, and of the surface with its Gauss image.
+    /// What `check` proves of the surface, and of the surface with its Gauss image, where they are
+    /// exact; see [`Member::proves`].
     pub fn proves(self) -> (&'static [Property], &'static [PairProperty]) {
         use PairProperty as P;
         use Property::*;

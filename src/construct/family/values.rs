@@ -104,6 +104,13 @@ impl Values {
         self.text(name).parse().map_err(|_| self.bad(name, "a whole number from 0"))
     }
 
+    /// The number of bits of an enclosure.
+    pub(super) fn bits(&self, name: &'static str) -> Result<u32, BadValue> {
+        const MOST: u32 = 4096;
+        let bits = self.text(name).parse().ok().filter(|bits| (1..=MOST).contains(bits));
+        bits.ok_or_else(|| self.bad(name, "a whole number from 1 to 4096"))
+    }
+
     pub(super) fn half_angle(&self) -> Result<Rotation<Rational>, BadValue> {
         let name = "half-angle";
         let [c, s] = self.pair(name)?;

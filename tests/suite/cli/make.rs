@@ -68,6 +68,47 @@ fn other_members_do_so_too() {
     }
 }
 
+/// Where square roots are irrational, the mesh encloses another one: it says so wherever it goes.
+#[test]
+fn enclosed_members_are_not_taken_for_exact_ones() {
+    let shell = Shell::new();
+    for (name, options, expected) in [
+        ("rotational-constant-k", "--n 4x3 -p curvature=2", "i-circular,i-conical"),
+        ("rotational-constant-k", "--n 4x3 -p curvature=-3,integral=4", "i-circular,i-conical"),
+        ("rotational-constant-k", "--n 4x3 -p curvature=-1,integral=2,bits=9", "i-circular"),
+        ("rotational-constant-k", "--n 4x3 -p curvature=5/7,integral=-1/3", "i-conical"),
+        ("hex-constant-k", "--n 3x4 -p curvature=2", "planar"),
+        ("hex-constant-k", "--n 3x4 -p curvature=-40,bits=300", "planar"),
+    ] {
+        let made = shell.line(&format!("make {name} {options} -o made"));
+        assert_eq!(made.code, 0, "{name} {options}: {}", made.err);
+        assert!(made.out.contains("NOT exact") && made.out.contains("not proved"), "{}", made.out);
+        let surface = "check made/surface.iso.json";
+        assert_eq!(shell.line(&format!("{surface} --is {expected}")).code, 0, "{name} {options}");
+        let pair = format!("{surface} --with made/gauss.iso.json");
+        assert_eq!(shell.line(&format!("{pair} --is f-parallel")).code, 0, "{name} {options}");
+        let scribed = if name.starts_with("hex") { "circumscribed" } else { "inscribed" };
+        let line = format!("check made/gauss.iso.json --is {scribed}");
+        assert_eq!(shell.line(&line).code, 0, "{name} {options}");
+        let run = shell.line(&format!("{pair} --is constant-k"));
+        assert_eq!(run.code, 1, "{name} {options}");
+        assert!(run.out.contains("enclose another mesh"), "{}", run.out);
+        let file: serde_json::Value =
+            serde_json::from_str(&shell.cat("made/surface.iso.json")).expect("a document");
+        let certificate = &file["certificate"]["enclosure"];
+        assert_eq!(certificate["property"], "constant-k", "{name} {options}");
+        assert!(certificate["roots"].as_array().is_some_and(|roots| roots.len() > 1));
+        assert_eq!(
+            file["data"]["vertex"]["enclosure"].as_array().map(Vec::len),
+            file["vertices"].as_array().map(Vec::len)
+        );
+        assert_eq!(shell.line("convert made/surface.iso.json surface.obj").code, 0);
+        assert!(!shell.cat("surface.obj").contains("coords=exact"));
+    }
+    let run = shell.line("make rotational-constant-k -p curvature=-2,integral=-1 -o none");
+    assert_eq!(run.code, 2);
+}
+
 /// The classes are not those of everything: another surface, or a vertex moved, is refuted.
 #[test]
 fn families_are_not_those_of_others() {
@@ -141,7 +182,11 @@ fn make() {
         "make enneper -p center=1 -o none --format json",
         "make saddle -p size=1 -o none",
         "make logarithmoid -p half-angle=1/2,1/2 -o none",
-        "make rotational-constant-k -p curvature=2 -o none",
+        "make rotational-constant-k --n 2x1 -p curvature=2,bits=8 -o enclosed",
+        "cat enclosed/surface.iso.json",
+        "make rotational-constant-k --n 2x1 -p curvature=2 -o enclosed --format json",
+        "make rotational-constant-k -p curvature=2,integral=-1,bits=0 -o none",
+        "make hex-constant-k -p curvature=-1 -o none",
         "make hex-cmc -p mean=1,integral=100 -o none",
         "make conical-net --n 9x2 -o none",
         "make enneper --n 4 -o none",

@@ -26,7 +26,7 @@ fn verdict<Q: RationalField>(mesh: &Mesh<Q>, property: Property) -> Answer {
     net.check(property).verdict()
 }
 
-fn pair_verdict<Q: RationalField>(m: &Mesh<Q>, s: &Mesh<Q>, property: PairProperty) -> Answer {
+pub fn pair_verdict<Q: RationalField>(m: &Mesh<Q>, s: &Mesh<Q>, property: PairProperty) -> Answer {
     let points = [m.points.as_slice(), &s.points].concat();
     Couple::new(&m.topology, &s.topology, &Plain(&points)).unwrap().check(property).verdict()
 }
