@@ -1,6 +1,7 @@
 //! Commands and options.
 
 mod claims;
+mod figures;
 mod pairs;
 mod spheres;
 
@@ -12,6 +13,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::scalar::ReadAs;
 pub use claims::{ClaimsCommand, ClaimsOptions, VerifyOptions};
+pub use figures::{FigureKind, FigureOptions};
 pub use pairs::{
     At, ChristoffelOptions, CurvatureOptions, GaussKind, GaussOptions, MakeOptions, OffsetOptions,
 };
@@ -65,6 +67,7 @@ pub enum Command {
     Triangulate(TriangulateOptions),
     Accuracy(AccuracyOptions),
     Claims(ClaimsOptions),
+    Figure(FigureOptions),
     /// Print a completion script for a shell
     #[command(
         after_help = "Example:\n  isogeo completions bash > ~/.local/share/bash-completion/completions/isogeo"

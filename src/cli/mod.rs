@@ -9,6 +9,7 @@ mod convert;
 mod curvature;
 mod dual;
 mod failure;
+mod figure;
 mod gauss;
 mod info;
 mod input;
@@ -100,6 +101,7 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Triangulate(options) => triangulate::run(&options, layout),
         Command::Accuracy(options) => accuracy::run(&options, layout),
         Command::Claims(options) => claims::run(&options, layout),
+        Command::Figure(options) => figure::run(&options, layout),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "isogeo", &mut script);

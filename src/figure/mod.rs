@@ -6,8 +6,10 @@
 pub mod draw;
 mod exhibit;
 mod fig_08;
+mod files;
 
 pub use exhibit::{Exhibit, NotSo};
+pub use files::Kind;
 
 use std::fmt;
 

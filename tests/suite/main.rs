@@ -7,6 +7,7 @@ mod cli;
 mod edge_offset;
 mod elimination;
 mod examples;
+mod figures;
 mod files;
 mod house;
 mod incircles;

@@ -1,0 +1,95 @@
+//! `isogeo figure`: the figures of the paper.
+
+use std::fmt::Write as _;
+use std::fs;
+
+use serde_json::json;
+
+use super::arguments::{FigureKind, FigureOptions, Layout};
+use super::failure::Failure;
+use super::{Status, output};
+use crate::figure::{Figure, Kind};
+use crate::mesh::file::write_whole;
+
+/// Makes figures and writes or compares their files.
+pub fn run(options: &FigureOptions, layout: Layout) -> Result<Status, Failure> {
+    let figures = asked(&options.id)?;
+    let kinds: Vec<Kind> = options.kinds.iter().map(|kind| (*kind).into()).collect();
+    let kinds = if kinds.is_empty() { Kind::ALL.to_vec() } else { kinds };
+    let bar = output::slow_steps(figures.len(), "figures");
+    let (mut text, mut drifted, mut written) = (String::new(), Vec::new(), Vec::new());
+    for figure in &figures {
+        let plate = figure.plate().map_err(|why| {
+            Failure::usage(format!("figure {} cannot be drawn: {why}", figure.number))
+        })?;
+        let folder = options.out.join(figure.folder());
+        if !options.check {
+            fs::create_dir_all(&folder)
+                .map_err(|e| Failure::io(format!("{}: {e}", folder.display())))?;
+        }
+        for &kind in &kinds {
+            for (name, contents) in figure.files(&plate, kind)? {
+                let path = folder.join(name);
+                let name = path.display().to_string();
+                if !options.check {
+                    write_whole(&path, contents.as_bytes())?;
+                    written.push(name);
+                } else if let Some(place) = difference(&fs::read(&path).ok(), &contents) {
+                    // Writing to a string does not fail.
+                    let _ = writeln!(text, "{name}: {place}");
+                    drifted.push(json!({ "file": name, "place": place }));
+                }
+            }
+        }
+        bar.inc(1);
+        let _ = writeln!(text, "Fig. {}: {}", figure.number, figure.title);
+    }
+    bar.finish_and_clear();
+    if layout.is_json() {
+        output::print_json(&json!({
+            "schema": "isogeo.figures/1",
+            "figures": figures.iter().map(|f| f.number).collect::<Vec<_>>(),
+            "written": written,
+            "drifted": drifted,
+        }))?;
+    } else {
+        output::print(&text)?;
+    }
+    Ok(if drifted.is_empty() { Status::Proved } else { Status::Refuted })
+}
+
+fn asked(id: &str) -> Result<Vec<&'static Figure>, Failure> {
+    let figures: Vec<&Figure> =
+        Figure::ALL.iter().filter(|f| id == "all" || id == f.number.to_string()).collect();
+    if figures.is_empty() {
+        let numbers: Vec<String> = Figure::ALL.iter().map(|f| f.number.to_string()).collect();
+        return Err(Failure::with_help(
+            format!("'{id}' is no figure"),
+            format!("there are {} and all", numbers.join(", ")),
+        ));
+    }
+    Ok(figures)
+}
+
+/// Where a file differs from what it should be; `None` where it does not.
+fn difference(found: &Option<Vec<u8>>, expected: &str) -> Option<String> {
+    let Some(found) = found else { return Some("is not there".into()) };
+    if found == expected.as_bytes() {
+        return None;
+    }
+    let found = String::from_utf8_lossy(found);
+    let line = found.lines().zip(expected.lines()).position(|(a, b)| a != b);
+    let line = line.unwrap_or_else(|| found.lines().count().min(expected.lines().count()));
+    Some(format!("differs from line {} on", line + 1))
+}
+
+impl From<FigureKind> for Kind {
+    fn from(kind: FigureKind) -> Kind {
+        match kind {
+            FigureKind::Json => Kind::Json,
+            FigureKind::Svg => Kind::Svg,
+            FigureKind::Tikz => Kind::Tikz,
+            FigureKind::Vtu => Kind::Vtu,
+        }
+    }
+}

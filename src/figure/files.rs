@@ -1,0 +1,52 @@
+//! The files of a figure.
+
+use super::draw::{svg, tikz};
+use super::{Figure, Plate};
+use crate::mesh::file::{FileError, Format, Options, write_string};
+
+/// A kind of file that a figure has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The exact meshes.
+    Json,
+    /// The picture for pages.
+    Svg,
+    /// The picture for LaTeX.
+    Tikz,
+    /// The meshes for ParaView.
+    Vtu,
+}
+
+impl Kind {
+    /// All kinds.
+    pub const ALL: [Kind; 4] = [Kind::Json, Kind::Svg, Kind::Tikz, Kind::Vtu];
+}
+
+impl Figure {
+    /// The name of its folder, as in `fig-08`.
+    pub fn folder(&self) -> String {
+        format!("fig-{:02}", self.number)
+    }
+
+    /// The names and texts of its files of one kind; the same on every machine.
+    ///
+    /// # Errors
+    /// Where a mesh has no text in the format.
+    pub fn files(&self, plate: &Plate, kind: Kind) -> Result<Vec<(String, String)>, FileError> {
+        let folder = self.folder();
+        let meshes = |format, extension: &str| {
+            let one = |exhibit: &super::Exhibit| {
+                let name = format!("{}.{extension}", exhibit.name);
+                let (text, _) = write_string(&name, format, &exhibit.mesh, &Options::default())?;
+                Ok((name, text))
+            };
+            plate.exhibits.iter().map(one).collect()
+        };
+        match kind {
+            Kind::Json => meshes(Format::IsoJson, "iso.json"),
+            Kind::Vtu => meshes(Format::Vtu, "vtu"),
+            Kind::Svg => Ok(vec![(format!("{folder}.svg"), svg(&plate.scene, self.title))]),
+            Kind::Tikz => Ok(vec![(format!("{folder}.tex"), tikz(&plate.scene))]),
+        }
+    }
+}

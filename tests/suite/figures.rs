@@ -1,0 +1,123 @@
+//! Figures: the painter's order against a z-buffer, files against what is committed.
+
+use isogeo::figure::draw::{
+    Color, Item, Model, Paint, Piece, Scene, Stroke, View, painted, svg, tikz,
+};
+
+const INK: Stroke = Stroke::new(Color::INK, 0.1);
+
+fn triangle(corners: [[f64; 3]; 3], color: u8) -> Piece {
+    let paint = Paint::Flat(Color([color, 0, 0]));
+    Piece::Face { corners: corners.to_vec(), drawn: vec![true; 3], paint, stroke: INK }
+}
+
+/// Numbers in 0..1 that repeat.
+fn numbers(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed;
+    move || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as f64 / (1u64 << 31) as f64
+    }
+}
+
+fn inside(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let side = |i: usize| {
+        let ([a, b], [c, d]) = (corners[i], corners[(i + 1) % corners.len()]);
+        (c - a) * (y - b) - (d - b) * (x - a)
+    };
+    let sides: Vec<f64> = (0..corners.len()).map(side).collect();
+    sides.iter().all(|s| *s > 0.0) || sides.iter().all(|s| *s < 0.0)
+}
+
+/// The colour that is painted last over a place.
+fn on_top(items: &[Item], at: [f64; 2]) -> Option<u8> {
+    items.iter().rev().find_map(|item| match item {
+        Item::Polygon { corners, fill: Some(color), .. } if inside(corners, at) => Some(color.0[0]),
+        _ => None,
+    })
+}
+
+/// The colour of the nearest triangle over a place, and by how much it is nearer than the next.
+fn nearest(model: &Model, view: &View, at: [f64; 2]) -> Option<(u8, f64)> {
+    let mut hits: Vec<(f64, u8)> = Vec::new();
+    for piece in &model.pieces {
+        let Piece::Face { corners, paint: Paint::Flat(color), .. } = piece else { continue };
+        let flat: Vec<[f64; 2]> = corners.iter().map(|p| view.project(*p)).collect();
+        if !inside(&flat, at) {
+            continue;
+        }
+        let [a, b, c] = [flat[0], flat[1], flat[2]];
+        let area = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
+            (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+        };
+        let whole = area(a, b, c);
+        let weights = [area(at, b, c) / whole, area(a, at, c) / whole, area(a, b, at) / whole];
+        let depth: f64 = (0..3).map(|i| weights[i] * view.depth(corners[i])).sum();
+        hits.push((depth, color.0[0]));
+    }
+    hits.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let second = hits.get(1).map_or(f64::INFINITY, |hit| hits[0].0 - hit.0);
+    hits.first().map(|hit| (hit.1, second))
+}
+
+/// Compares picture and z-buffer on a raster; gives how many places were looked at.
+fn compare(model: &Model, view: &View, items: &[Item]) -> Result<usize, String> {
+    let mut seen = 0;
+    for i in 0..60 {
+        for j in 0..60 {
+            let at = [(f64::from(i) + 0.37) / 20.0 - 1.5, (f64::from(j) + 0.41) / 20.0 - 1.5];
+            let Some((color, gap)) = nearest(model, view, at) else { continue };
+            // Where two sheets meet, either may be on top.
+            if gap < 1.0 / 1024.0 {
+                continue;
+            }
+            seen += 1;
+            if on_top(items, at) != Some(color) {
+                return Err(format!(
+                    "{at:?}: {color} is nearest, {:?} is on top",
+                    on_top(items, at)
+                ));
+            }
+        }
+    }
+    Ok(seen)
+}
+
+fn pierced(seed: u64) -> Model {
+    let mut next = numbers(seed);
+    let mut point = || [(); 3].map(|()| 2.0 * next() - 1.0);
+    let triangles = (0..40).map(|n| triangle([point(), point(), point()], n));
+    Model { pieces: triangles.collect() }
+}
+
+#[test]
+fn what_is_nearer_is_painted_later() -> Result<(), String> {
+    for seed in 0..12 {
+        let model = pierced(seed);
+        let view = View::from([3.0, -5.0, 3.0]);
+        let seen = compare(&model, &view, &painted(&model, &view))
+            .map_err(|why| format!("seed {seed}: {why}"))?;
+        assert!(seen > 500, "seed {seed}: {seen} places");
+    }
+    Ok(())
+}
+
+#[test]
+fn the_raster_notices_a_wrong_order() {
+    let model = pierced(1);
+    let view = View::from([3.0, -5.0, 3.0]);
+    let mut items = painted(&model, &view);
+    items.reverse();
+    assert!(compare(&model, &view, &items).is_err());
+}
+
+#[test]
+fn a_scene_is_the_same_picture_in_every_format() {
+    let mut scene = Scene::new(40.0, 20.0);
+    let circle = Item::Circle { center: [0.0, 0.0], radius: 1.0, fill: None, stroke: Some(INK) };
+    let corners = vec![[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]];
+    let polygon = Item::Polygon { corners, fill: Some(Color::FRONT), stroke: None };
+    assert_eq!(scene.place(vec![polygon, circle], [1.0, 1.0], [38.0, 18.0]), 9.0);
+    scene.text([20.0, 1.0], 3.0, isogeo::figure::draw::Anchor::Middle, "2H² & K < 0_1");
+    insta::assert_snapshot!(format!("{}\n{}", svg(&scene, "a < b"), tikz(&scene)));
+}
