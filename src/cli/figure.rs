@@ -32,7 +32,7 @@ pub fn run(options: &FigureOptions, layout: Layout) -> Result<Status, Failure> {
                 let path = folder.join(name);
                 let name = path.display().to_string();
                 if !options.check {
-                    write_whole(&path, contents.as_bytes())?;
+                    write_whole(&path, &contents)?;
                     written.push(name);
                 } else if let Some(place) = difference(&fs::read(&path).ok(), &contents) {
                     // Writing to a string does not fail.
@@ -72,15 +72,15 @@ fn asked(id: &str) -> Result<Vec<&'static Figure>, Failure> {
 }
 
 /// Where a file differs from what it should be; `None` where it does not.
-fn difference(found: &Option<Vec<u8>>, expected: &str) -> Option<String> {
+fn difference(found: &Option<Vec<u8>>, expected: &[u8]) -> Option<String> {
     let Some(found) = found else { return Some("is not there".into()) };
-    if found == expected.as_bytes() {
+    if found == expected {
         return None;
     }
-    let found = String::from_utf8_lossy(found);
-    let line = found.lines().zip(expected.lines()).position(|(a, b)| a != b);
-    let line = line.unwrap_or_else(|| found.lines().count().min(expected.lines().count()));
-    Some(format!("differs from line {} on", line + 1))
+    let at = found.iter().zip(expected).position(|(a, b)| a != b);
+    let at = at.unwrap_or_else(|| found.len().min(expected.len()));
+    let line = 1 + expected[..at].iter().filter(|byte| **byte == b'\n').count();
+    Some(format!("differs from line {line} on"))
 }
 
 impl From<FigureKind> for Kind {
@@ -88,6 +88,7 @@ impl From<FigureKind> for Kind {
         match kind {
             FigureKind::Json => Kind::Json,
             FigureKind::Svg => Kind::Svg,
+            FigureKind::Pdf => Kind::Pdf,
             FigureKind::Tikz => Kind::Tikz,
             FigureKind::Vtu => Kind::Vtu,
         }

@@ -1,6 +1,6 @@
 //! The files of a figure.
 
-use super::draw::{svg, tikz};
+use super::draw::{pdf, svg, tikz};
 use super::{Figure, Plate};
 use crate::mesh::file::{FileError, Format, Options, write_string};
 
@@ -11,7 +11,9 @@ pub enum Kind {
     Json,
     /// The picture for pages.
     Svg,
-    /// The picture for LaTeX.
+    /// The picture for LaTeX and for print.
+    Pdf,
+    /// The picture as a LaTeX source.
     Tikz,
     /// The meshes for ParaView.
     Vtu,
@@ -19,7 +21,7 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Kind; 4] = [Kind::Json, Kind::Svg, Kind::Tikz, Kind::Vtu];
+    pub const ALL: [Kind; 5] = [Kind::Json, Kind::Svg, Kind::Pdf, Kind::Tikz, Kind::Vtu];
 }
 
 impl Figure {
@@ -28,25 +30,28 @@ impl Figure {
         format!("fig-{:02}", self.number)
     }
 
-    /// The names and texts of its files of one kind; the same on every machine.
+    /// The names and contents of its files of one kind; the same on every machine.
     ///
     /// # Errors
     /// Where a mesh has no text in the format.
-    pub fn files(&self, plate: &Plate, kind: Kind) -> Result<Vec<(String, String)>, FileError> {
+    pub fn files(&self, plate: &Plate, kind: Kind) -> Result<Vec<(String, Vec<u8>)>, FileError> {
         let folder = self.folder();
         let meshes = |format, extension: &str| {
             let one = |exhibit: &super::Exhibit| {
                 let name = format!("{}.{extension}", exhibit.name);
                 let (text, _) = write_string(&name, format, &exhibit.mesh, &Options::default())?;
-                Ok((name, text))
+                Ok((name, text.into_bytes()))
             };
             plate.exhibits.iter().map(one).collect()
         };
         match kind {
             Kind::Json => meshes(Format::IsoJson, "iso.json"),
             Kind::Vtu => meshes(Format::Vtu, "vtu"),
-            Kind::Svg => Ok(vec![(format!("{folder}.svg"), svg(&plate.scene, self.title))]),
-            Kind::Tikz => Ok(vec![(format!("{folder}.tex"), tikz(&plate.scene))]),
+            Kind::Svg => {
+                Ok(vec![(format!("{folder}.svg"), svg(&plate.scene, self.title).into_bytes())])
+            }
+            Kind::Pdf => Ok(vec![(format!("{folder}.pdf"), pdf(&plate.scene, self.title))]),
+            Kind::Tikz => Ok(vec![(format!("{folder}.tex"), tikz(&plate.scene).into_bytes())]),
         }
     }
 }

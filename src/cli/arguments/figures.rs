@@ -33,7 +33,9 @@ pub enum FigureKind {
     Json,
     /// The picture for pages
     Svg,
-    /// The picture for LaTeX
+    /// The picture for LaTeX and for print
+    Pdf,
+    /// The picture as a LaTeX source
     Tikz,
     /// The meshes for ParaView
     Vtu,

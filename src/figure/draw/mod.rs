@@ -3,6 +3,7 @@
 mod color;
 mod model;
 mod painter;
+mod pdf;
 mod scene;
 mod svg;
 mod tikz;
@@ -11,6 +12,7 @@ mod view;
 pub use color::Color;
 pub use model::{Model, Paint, Piece};
 pub use painter::painted;
+pub use pdf::pdf;
 pub use scene::{Anchor, Item, Scene, Stroke};
 pub use svg::svg;
 pub use tikz::tikz;

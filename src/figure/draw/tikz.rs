@@ -58,6 +58,7 @@ fn escaped(text: &str) -> String {
         '{' | '}' | '%' | '#' | '&' | '_' | '$' => format!("\\{c}"),
         '^' => "\\textasciicircum{}".into(),
         '~' => "\\textasciitilde{}".into(),
+        '<' | '>' | '=' => format!("${c}$"),
         '−' => "$-$".into(),
         '²' => "$^2$".into(),
         'Σ' => "$\\Sigma$".into(),
