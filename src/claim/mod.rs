@@ -11,9 +11,9 @@
 //!
 //! | chapter | section of the paper |
 //! | --- | --- |
-//! | `space` | 2.1 |
+//! | `motion`, `space`, `duality`, `moebius` | 2.1 |
 //! | `laguerre` | 2.2 |
-//! | `parallel` | 3.1 |
+//! | `parallel`, `offset` | 3.1 |
 //! | `principal` | 3.2 |
 //! | `isothermic` | 3.4 |
 //! | `curvature`, `minimal`, `vertex` | 4 |
@@ -32,9 +32,13 @@ mod trial;
 mod verify;
 
 mod curvature;
+mod duality;
 mod isothermic;
 mod laguerre;
 mod minimal;
+mod moebius;
+mod motion;
+mod offset;
 mod parallel;
 mod principal;
 mod space;
@@ -147,10 +151,14 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 8] = [
+const CHAPTERS: [&[Claim]; 12] = [
+    motion::CLAIMS,
     space::CLAIMS,
+    duality::CLAIMS,
+    moebius::CLAIMS,
     laguerre::CLAIMS,
     parallel::CLAIMS,
+    offset::CLAIMS,
     principal::CLAIMS,
     isothermic::CLAIMS,
     curvature::CLAIMS,
