@@ -6,8 +6,8 @@ use super::{
 };
 use crate::scalar::{Field, Rational, Ring};
 use crate::space::{
-    ContactElement, Dual, Gradient, Graph, Hessian, Jet2, ParabolicSphere, ParametricSurface, Plane,
-    Polynomial, TopView,
+    ContactElement, Dual, Gradient, Graph, Hessian, Jet2, ParabolicSphere, ParametricSurface,
+    Plane, Polynomial, TopView,
 };
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -152,11 +152,13 @@ impl Identity for Involution {
         let p = trial.free_point();
         let polar = p.dual();
         let (x, y, t) = (polar.gradient.x, polar.gradient.y, polar.height);
-        let polar = Plane::new(
-            Gradient::new(trial.made(x), trial.made(y)),
-            trial.made(t),
+        let polar = Plane::new(Gradient::new(trial.made(x), trial.made(y)), trial.made(t));
+        equal_planes(
+            trial,
+            "the polar plane",
+            &polar,
+            &Plane::new(Gradient::new(p.x.clone(), p.y.clone()), -&p.z),
         );
-        equal_planes(trial, "the polar plane", &polar, &Plane::new(Gradient::new(p.x.clone(), p.y.clone()), -&p.z));
         trial.equal_points("point", &polar.dual(), &p);
         let e = plane(trial);
         let pole = trial.made_point(e.dual());
@@ -194,7 +196,10 @@ impl Identity for Incidence {
         trial.parameter("the i-sphere is no plane", &a)?;
         let sphere = trial.accepted("a plane", ParabolicSphere::new(a, b, c, d))?;
         let on_dual = sphere.dual().residual(&pole) * &sphere.a;
-        trial.zero("tangent planes", on_dual + sphere.tangency(&Plane::new(pole.top_view().dual(), -pole.z)));
+        trial.zero(
+            "tangent planes",
+            on_dual + sphere.tangency(&Plane::new(pole.top_view().dual(), -pole.z)),
+        );
         Ok(())
     }
 }
@@ -308,10 +313,8 @@ struct DualJet;
 
 impl Identity for DualJet {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let contact = ContactElement::new(
-            trial.free_point(),
-            Gradient::new(trial.free(), trial.free()),
-        );
+        let contact =
+            ContactElement::new(trial.free_point(), Gradient::new(trial.free(), trial.free()));
         let hessian = Hessian { xx: trial.free(), xy: trial.free(), yy: trial.free() };
         let jet = Jet2 { contact, hessian };
         let k = jet.curvature();

@@ -126,7 +126,8 @@ fn long_normal() -> Result<String, String> {
     let normal = Vector3::new(one.clone(), one.clone(), zero.clone());
     let refused = OrientedPlane::new(normal.clone(), zero.clone());
     let distance = &normal.x + &normal.y - &one;
-    let sphere = OrientedSphere::new(Point::new(one.clone(), one.clone(), zero.clone()), one.clone());
+    let sphere =
+        OrientedSphere::new(Point::new(one.clone(), one.clone(), zero.clone()), one.clone());
     let over = MoebiusSphere::from(&sphere).residual(&Point::new(normal.x, normal.y, zero));
     let missed = over - Rational::from_i64(2) * distance;
     if refused.is_ok() || missed.is_zero() {
@@ -146,7 +147,8 @@ fn twice_the_radius() -> Result<String, String> {
     let at = |x: &Rational, radius: &Rational| {
         OrientedSphere::new(Point::new(x.clone(), zero.clone(), zero.clone()), radius.clone())
     };
-    let (before, after) = (at(&zero, &zero).contact(&at(&one, &one)), at(&zero, &zero).contact(&at(&one, &two)));
+    let (before, after) =
+        (at(&zero, &zero).contact(&at(&one, &one)), at(&zero, &zero).contact(&at(&one, &two)));
     if refused.is_ok() || !before.is_zero() || after.is_zero() {
         return Err("contact stays".into());
     }
@@ -173,8 +175,7 @@ impl Identity for Spheres {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
         let at = top_view(trial).at_height(T::zero());
         let Vector3 { x, y, z } = plane_of(trial, &at)?.normal().clone();
-        let normal =
-            Vector3::new(trial.constrained(x), trial.constrained(y), trial.constrained(z));
+        let normal = Vector3::new(trial.constrained(x), trial.constrained(y), trial.constrained(z));
         trial.relation(NORMAL, normal.length2() - T::one())?;
         let scale = T::one() + &normal.z;
         let height = trial.free();
@@ -251,7 +252,11 @@ impl Identity for Cones {
         let [beside, power] = circle.residuals(&point);
         let [distance, turned] = cone.tangency(&plane);
         let (two, larger) = (T::from_i64(2), T::one() + point.top_view().norm2());
-        trial.equal("through the vertex", &(distance * &larger), &(&two * beside - &cone.vertex.z * &power));
+        trial.equal(
+            "through the vertex",
+            &(distance * &larger),
+            &(&two * beside - &cone.vertex.z * &power),
+        );
         trial.zero("at an angle to the axis", turned * &larger * &scale + two * power);
         // s₃ + 1 = 2/(1 + N)
         let back = trial.accepted("the vertical plane", cone.to_isotropic())?;
@@ -302,7 +307,11 @@ impl Identity for TwoSpheres {
         let distance = plane_of(trial, &point)?.distance(&vertex);
         let larger = T::one() + point.top_view().norm2();
         let [over, under] = spheres.each_ref().map(|sphere| sphere.residual(&point));
-        trial.equal("common planes pass through the vertex", &(distance * larger), &between(&over, &under));
+        trial.equal(
+            "common planes pass through the vertex",
+            &(distance * larger),
+            &between(&over, &under),
+        );
         Ok(())
     }
 }

@@ -110,7 +110,8 @@ fn circle_with_point<T: Field>(trial: &mut Trial<T>) -> (ICircle<T>, Point<T>) {
 
 /// All numbers of an i-circle count as constructed.
 fn made<T: Field>(trial: &mut Trial<T>, circle: ICircle<T>) -> ICircle<T> {
-    let ICircle { plane: Plane { gradient, height }, top_view: Circle { centre, radius2 } } = circle;
+    let ICircle { plane: Plane { gradient, height }, top_view: Circle { centre, radius2 } } =
+        circle;
     let gradient = Gradient::new(trial.made(gradient.x), trial.made(gradient.y));
     let plane = Plane::new(gradient, trial.made(height));
     let centre = TopView::new(trial.made(centre.x), trial.made(centre.y));

@@ -51,7 +51,8 @@ fn stretched() -> Result<String, String> {
     let [two, zero] = [2, 0].map(Rational::from_i64);
     let refused = Rotation::new(two.clone(), zero.clone());
     let map = Scaling::new(two.clone(), Rational::one()).map_err(|e| e.to_string())?;
-    let (p, q) = (Point::new(zero.clone(), zero.clone(), zero.clone()), Point::new(two, zero.clone(), zero));
+    let (p, q) =
+        (Point::new(zero.clone(), zero.clone(), zero.clone()), Point::new(two, zero.clone(), zero));
     let change = map.apply(&p).i_distance2(&map.apply(&q)) - p.i_distance2(&q);
     if change.is_zero() || refused.is_ok() {
         return Err("the distance stays".into());
@@ -135,10 +136,8 @@ fn taylor<T: Field>(jet: &Jet2<T>, at: &TopView<T>) -> T {
 impl Identity for Curvatures {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
         let motion = motion(trial)?;
-        let contact = ContactElement::new(
-            trial.free_point(),
-            Gradient::new(trial.free(), trial.free()),
-        );
+        let contact =
+            ContactElement::new(trial.free_point(), Gradient::new(trial.free(), trial.free()));
         let hessian = Hessian { xx: trial.free(), xy: trial.free(), yy: trial.free() };
         let jet = Jet2 { contact, hessian };
         let image = motion.apply(&jet);
@@ -178,8 +177,8 @@ impl Identity for Classes {
         kept("i-conical", &|p| at(Balance, p));
         // A product of complex numbers, one for each face, turns as often.
         let product = |p: &[Point<T>]| {
-            let [x, y] = [true, false]
-                .map(|real| at::<T, MOST>(CrossRatioProduct { valence, real }, p));
+            let [x, y] =
+                [true, false].map(|real| at::<T, MOST>(CrossRatioProduct { valence, real }, p));
             Vector2::new(x, y)
         };
         let often = (1..valence).fold(motion.rotation.clone(), |r, _| r.then(&motion.rotation));

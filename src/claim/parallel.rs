@@ -95,7 +95,11 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "An edge of M, its image in S and the two normals are linear combinations of two \
                    vectors; an edge is parallel to its image where two planes meet in it that are \
                    not parallel.",
-        evidence: &[Evidence::identity::<RelativeNormals>("inner edges of f-parallel meshes", &[1], &[1])],
+        evidence: &[Evidence::identity::<RelativeNormals>(
+            "inner edges of f-parallel meshes",
+            &[1],
+            &[1],
+        )],
         controls: &[Control {
             without: PARALLEL_EDGES,
             shows: "two triangles in horizontal planes, with different angles",
@@ -116,10 +120,12 @@ fn straight_corners() -> Result<String, String> {
         let [x, y] = [x, y].map(|n| Rational::from_i64(n) * &half);
         Point::new(x, y, Rational::zero())
     };
-    let rows = [-1, 0, 1].map(|i: i64| [-1, 0, 1].map(|j: i64| {
-        let stretch = 2 - (i * j).abs();
-        at(i * stretch, j * stretch)
-    }));
+    let rows = [-1, 0, 1].map(|i: i64| {
+        [-1, 0, 1].map(|j: i64| {
+            let stretch = 2 - (i * j).abs();
+            at(i * stretch, j * stretch)
+        })
+    });
     let mesh = Mesh::new(rows.into_iter().flatten().collect(), quad_patch(2, 2));
     let mesh = mesh.map_err(|e| e.to_string())?;
     match parallel_space(&mesh).dimension() {
@@ -129,7 +135,11 @@ fn straight_corners() -> Result<String, String> {
 }
 
 /// A patch of planar quads over any top views: heights are free along two sides.
-fn patch<T: RationalField>(trial: &mut Trial<T>, rows: usize, columns: usize) -> Result<Mesh<T>, Stop> {
+fn patch<T: RationalField>(
+    trial: &mut Trial<T>,
+    rows: usize,
+    columns: usize,
+) -> Result<Mesh<T>, Stop> {
     let mut points: Vec<Point<T>> = Vec::new();
     for i in 0..=rows {
         for j in 0..=columns {
@@ -158,7 +168,11 @@ fn patch<T: RationalField>(trial: &mut Trial<T>, rows: usize, columns: usize) ->
 }
 
 /// A combination of meshes with the same vertices.
-fn combination<T: RationalField>(trial: &mut Trial<T>, mesh: &Mesh<T>, basis: &[Mesh<T>]) -> Mesh<T> {
+fn combination<T: RationalField>(
+    trial: &mut Trial<T>,
+    mesh: &Mesh<T>,
+    basis: &[Mesh<T>],
+) -> Mesh<T> {
     let mut sum = mesh.clone();
     for term in basis {
         let a = trial.free();
@@ -361,5 +375,9 @@ fn skew_normals() -> Result<String, String> {
     let offset = FParallel::new(&m, &s).map_err(|e| e.to_string())?.offset(&Rational::one());
     let [p, q, r, t] = [&m.points[0], &m.points[1], &offset.points[0], &offset.points[1]];
     let residual = value(Coplanar, &[p, q, r, t].map(Point::clone));
-    if residual.is_zero() { Err("they are coplanar".into()) } else { Ok(format!("volume: {residual}")) }
+    if residual.is_zero() {
+        Err("they are coplanar".into())
+    } else {
+        Ok(format!("volume: {residual}"))
+    }
 }
