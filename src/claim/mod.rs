@@ -151,14 +151,17 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 12] = [
+const CHAPTERS: [&[Claim]; 15] = [
     motion::CLAIMS,
     space::CLAIMS,
     duality::CLAIMS,
     moebius::CLAIMS,
     laguerre::CLAIMS,
+    laguerre::group::CLAIMS,
     parallel::CLAIMS,
-    offset::CLAIMS,
+    offset::vertex::CLAIMS,
+    offset::edge::CLAIMS,
+    offset::face::CLAIMS,
     principal::CLAIMS,
     isothermic::CLAIMS,
     curvature::CLAIMS,
