@@ -137,12 +137,12 @@ fn equal_planes<T: Field>(trial: &mut Trial<T>, what: &'static str, e: &Plane<T>
     trial.equal(what, &e.height, &f.height);
 }
 
-/// A graph `z = f` over a top view, of the degree that is the size, with its jet.
-fn graph<T: Field>(trial: &mut Trial<T>) -> Result<(Polynomial<T>, TopView<T>, Jet2<T>), Stop> {
+/// A polynomial f of the degree that is the size, with the jet of its graph somewhere.
+fn graph<T: Field>(trial: &mut Trial<T>) -> Result<(Polynomial<T>, Jet2<T>), Stop> {
     let f = polynomial(trial, 0..=trial.size() as u32)?;
     let at = TopView::new(trial.free(), trial.free());
     let jet = trial.accepted("no jet", f.jet(&at).ok_or(()))?;
-    Ok((f, at, jet))
+    Ok((f, jet))
 }
 
 struct Involution;
@@ -267,7 +267,8 @@ struct Poles;
 
 impl Identity for Poles {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let (f, at, jet) = graph(trial)?;
+        let (f, jet) = graph(trial)?;
+        let at = jet.contact.point.top_view();
         let dual = trial.made_point(ParametricSurface::dual_of(&f).point_at(&at));
         trial.equal_points("pole of the tangent plane", &dual, &jet.tangent_plane().dual());
         let Gradient { x, y } = &jet.contact.gradient;
@@ -281,7 +282,8 @@ struct DoubleDual;
 
 impl Identity for DoubleDual {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let (f, at, jet) = graph(trial)?;
+        let (f, jet) = graph(trial)?;
+        let at = jet.contact.point.top_view();
         trial.nonzero(REGULAR, &jet.curvature())?;
         let dual = trial.defined(REGULAR, ParametricSurface::dual_of(&f).jet(&at))?;
         let back = trial.made_point(dual.tangent_plane().dual());

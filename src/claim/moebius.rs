@@ -176,39 +176,43 @@ impl Identity for ParabolicOnCircles {
     }
 }
 
-/// A cylinder with a centre on its axis, and its inversion.
-fn cylinder<T: Field>(
-    trial: &mut Trial<T>,
-) -> Result<(Point<T>, CylindricalSphere<T>, MoebiusTransformation<T>), Stop> {
-    let (centre, radius2) = (trial.free_point(), trial.free());
+/// The inversion at a cylinder with a centre on its axis.
+struct Inversion<T> {
+    centre: Point<T>,
+    radius2: T,
+    map: MoebiusTransformation<T>,
+}
+
+fn inversion<T: Field>(trial: &mut Trial<T>, centre: Point<T>) -> Result<Inversion<T>, Stop> {
+    let radius2 = trial.free();
     trial.nonzero(RADIUS, &radius2)?;
-    let cylinder = CylindricalSphere::new(Circle::new(centre.top_view(), radius2)).ok();
+    let cylinder = CylindricalSphere::new(Circle::new(centre.top_view(), radius2.clone())).ok();
     let cylinder = trial.defined(RADIUS, cylinder)?;
-    let inversion = MoebiusTransformation::inversion_at_cylinder(&cylinder, &centre.z);
-    Ok((centre, cylinder, inversion))
+    let map = MoebiusTransformation::inversion_at_cylinder(&cylinder, &centre.z);
+    Ok(Inversion { centre, radius2, map })
 }
 
 struct Cylindrical;
 
 impl Identity for Cylindrical {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let (c, cylinder, inversion) = cylinder(trial)?;
+        let c = trial.free_point();
+        let Inversion { centre: c, radius2, map: inversion } = inversion(trial, c)?;
         let p = trial.free_point();
         let distance2 = p.i_distance2(&c);
         trial.nonzero(OFF_AXIS, &distance2)?;
         let image = trial.defined(OFF_AXIS, inversion.map_point(&p).ok())?;
         let image = trial.made_point(image);
         // Both sides are multiplied by the squared distance.
-        let radius2 = &cylinder.top_view().radius2;
         let times = |v: Vector3<T>, t: &T| Vector3::new(v.x * t, v.y * t, v.z * t);
-        let expected = &c + &times(&p - &c, radius2);
+        let expected = &c + &times(&p - &c, &radius2);
         trial.equal_points("the inversion", &(&c + &times(&image - &c, &distance2)), &expected);
         let back = trial.accepted("at infinity", inversion.map_point(&image))?;
         trial.equal_points("an involution", &back, &p);
         let sphere = sphere(trial);
         let moved = inversion.map_sphere(&sphere);
         let over = moved.residual(&image) * &distance2;
-        trial.equal("points of spheres", &over, &(sphere.residual(&p) * radius2));
+        trial.equal("points of spheres", &over, &(sphere.residual(&p) * &radius2));
         let below = trial.accepted("at infinity", inversion.map_top_view(&p.top_view()))?;
         trial.zero("seen in the top view", below.distance2(&image.top_view()));
         Ok(())
@@ -219,7 +223,8 @@ struct CylindricalOnCircles;
 
 impl Identity for CylindricalOnCircles {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let (c, _, inversion) = cylinder(trial)?;
+        let c = trial.free_point();
+        let Inversion { centre: c, map: inversion, .. } = inversion(trial, c)?;
         let (circle, point) = circle_with_point(trial);
         trial.nonzero(OFF_CENTRE, &circle.top_view.power(&c.top_view()))?;
         let image = trial.defined(OFF_CENTRE, inversion.map_circle(&circle).ok())?;
@@ -233,18 +238,14 @@ struct Planar;
 
 impl Identity for Planar {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let radius2 = trial.free();
-        trial.nonzero(RADIUS, &radius2)?;
-        let origin = TopView::new(T::zero(), T::zero());
-        let cylinder = CylindricalSphere::new(Circle::new(origin, radius2.clone())).ok();
-        let cylinder = trial.defined(RADIUS, cylinder)?;
-        let inversion = MoebiusTransformation::inversion_at_cylinder(&cylinder, &T::zero());
+        let origin = Point::new(T::zero(), T::zero(), T::zero());
+        let Inversion { radius2, map, .. } = inversion(trial, origin)?;
         let at = [(); 4].map(|()| top_view(trial));
         let mut images = Vec::new();
         let mut factor = T::one();
         for x in &at {
             trial.nonzero(OFF_AXIS, &x.norm2())?;
-            images.push(trial.defined(OFF_AXIS, inversion.map_top_view(x).ok())?);
+            images.push(trial.defined(OFF_AXIS, map.map_top_view(x).ok())?);
             factor = factor * x.norm2();
         }
         let level = |x: &TopView<T>| x.at_height(T::zero());

@@ -10,6 +10,7 @@ use crate::net::i_isothermic::{CoplanarPoles, CrossRatioProduct, TouchingCircles
 use crate::net::i_minimal::MixedMeasure;
 use crate::net::koenigs::DiagonalProduct;
 use crate::net::planar::Coplanar;
+use crate::pair::{MixedArea, ParallelPlanes};
 use crate::scalar::{Field, Rational, Ring};
 use crate::space::{
     ContactElement, Gradient, Hessian, Jet2, MoebiusSphere, Motion, Plane, Point, Rotation,
@@ -33,8 +34,8 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         Evidence::identity::<Group>("products and inverses", &[1], &[1]),
         Evidence::identity::<Invariants>("distances, angles, incidence, spheres", &[1], &[1]),
         Evidence::identity::<Curvatures>("H, K and the graph of second order", &[1], &[1]),
-        Evidence::identity::<Classes>("residuals on points", &[2, 4], &[2, 4, 6]),
-        Evidence::identity::<Radii>("residuals on circles", &[1], &[1]),
+        Evidence::identity::<Classes>("residuals on points", &[4, 2], &[2, 4, 6]),
+        Evidence::identity::<Radii>("residuals on circles and on pairs", &[1], &[1]),
         Evidence::identity::<Gradients>("concyclic gradients", &[1], &[1]),
     ],
     controls: &[Control {
@@ -205,6 +206,10 @@ impl Identity for Radii {
         trial.equal("coplanar poles", &poles(&after), &poles(&before));
         let touching = |p: &[Point<T>]| at(TouchingCircles, &[&p[..2], &p[4..6]].concat());
         trial.equal("touching circles", &touching(&after), &touching(&before));
+        let points: Vec<Point<T>> = (0..6).map(|_| trial.free_point()).collect();
+        let moved: Vec<Point<T>> = points.iter().map(|p| motion.apply(p)).collect();
+        trial.equal("parallel planes", &at(ParallelPlanes, &moved), &at(ParallelPlanes, &points));
+        trial.equal("mixed areas", &at(MixedArea, &moved), &at(MixedArea, &points));
         Ok(())
     }
 }

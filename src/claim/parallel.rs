@@ -321,7 +321,7 @@ impl Identity for Scribed {
         let [a, b, c] = &corners;
         let plane = trial.defined(NO_VERTICAL_FACE, Plane::through(a, b, c).ok())?;
         let pole = trial.made_point(plane.dual());
-        let on_sigma = value(OnSigma, &[pole.clone()]) * area.square();
+        let on_sigma = value(OnSigma, std::array::from_ref(&pole)) * area.square();
         trial.zero("face and dual vertex", value(TouchesSigma, &corners) + on_sigma);
         // An edge, and another plane through it.
         let d = trial.free_point();

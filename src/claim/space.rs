@@ -3,10 +3,10 @@
 use super::{
     Claim, Control, Counterexample, Evidence, Grade, Hypothesis, Identity, Run, Source, Stop, Trial,
 };
-use crate::scalar::{Dual as Differential, Field};
+use crate::scalar::{Dual as Differential, Field, Rational, Ring};
 use crate::space::{
-    ContactElement, Gradient, Graph, Hessian, IsotropicPlane, Jet2, Motion, ParabolicSphere, Plane,
-    Polynomial, Rotation, TopView, Transform, Vector2,
+    ContactElement, Gradient, Graph, Hessian, ICircle, IsotropicPlane, Jet2, MoebiusSphere, Motion,
+    ParabolicSphere, Plane, Point, Polynomial, Rotation, TopView, Transform, Vector2,
 };
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -28,13 +28,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         ],
         controls: &[Control {
             without: CURVED,
-            shows: "with A = 0 two planes have a line in common, or nothing",
-            counterexample: Counterexample::Unknowns {
-                evidence: 0,
-                size: 1,
-                unknowns: &["0", "1", "2", "3", "4", "5", "6"],
-                constrained: &[],
-            },
+            shows: "with A = 0 the planes z = x and z = 0 have a line in common",
+            counterexample: Counterexample::Witness(two_planes),
         }],
     },
     Claim {
@@ -71,6 +66,21 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 const CURVED: &str = "A != 0";
+
+/// Three common points of the planes `z = x` and `z = 0`, which lie on no i-circle.
+fn two_planes() -> Result<String, String> {
+    let [zero, one, two] = [0, 1, 2].map(Rational::from_i64);
+    let sphere = MoebiusSphere::new(zero.clone(), one.clone(), zero.clone(), zero.clone());
+    let points = [&zero, &one, &two].map(|y| Point::new(zero.clone(), y.clone(), zero.clone()));
+    let [a, b, c] = &points;
+    if !points.iter().all(|p| sphere.contains(p)) {
+        return Err("no common points".into());
+    }
+    match ICircle::through(a, b, c) {
+        Ok(circle) => Err(format!("they lie on an i-circle with r² = {}", circle.top_view.radius2)),
+        Err(error) => Ok(error.to_string()),
+    }
+}
 
 fn sphere<T: Field>(trial: &mut Trial<T>) -> Result<ParabolicSphere<T>, Stop> {
     let [a, b, c, d] = [(); 4].map(|()| trial.free());

@@ -97,7 +97,7 @@ fn long_normal() -> Result<String, String> {
     if refused.is_ok() || missed.is_zero() {
         return Err("nothing breaks".into());
     }
-    Ok(format!("the point misses the i-M-sphere by what is wrong by {missed}"))
+    Ok(format!("height over the i-M-sphere and distance differ by {missed}"))
 }
 
 fn top_view<T: Field>(trial: &mut Trial<T>) -> TopView<T> {

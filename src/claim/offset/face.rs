@@ -24,7 +24,7 @@ pub(in crate::claim) const CLAIMS: &[Claim] = &[Claim {
     hypotheses: &[Hypothesis::silent(FINITE)],
     said: Grade::Decided,
     argument: "The distance concerns one face at a time. Planes with n·s = 1 make equal angles \
-                   with s, which is a cone of revolution; four unit normals admit an s iff they lie in \
+                   with s, which is a cone of revolution; unit normals, four at a time, admit an s iff they lie in \
                    a plane that misses the centre. Where it passes through the centre, the circle is a \
                    great one and the planes at a vertex pass through one line.",
     evidence: &[
