@@ -79,8 +79,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         hypotheses: &[Hypothesis::stated(REGULAR)],
         said: Grade::Decided,
         argument: "A tangent plane depends on first derivatives, and that of the dual surface on \
-                   second ones: a polynomial of order 2 is any graph, seen from near the point; \
-                   the size is its degree.",
+                   second ones: polynomials have any of these at a point. The size is the degree.",
         evidence: &[
             Evidence::identity::<Poles>("poles of tangent planes", &[2, 3], &[2, 3, 4]),
             Evidence::identity::<DoubleDual>("the dual of the dual", &[2, 3], &[2, 3]),
@@ -100,8 +99,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         hypotheses: &[Hypothesis::stated(REGULAR)],
         said: Grade::Decided,
         argument: "The curvatures of the dual surface at a point depend on derivatives of f up to the \
-                   third; by an i-motion the point is the origin, so a polynomial of degree 3 there \
-                   is any graph. H* vanishes with H.",
+                   third there, and polynomials of degree 3 have any of these. H* vanishes with H.",
         evidence: &[
             Evidence::identity::<DualCurvatures>("the surface (10)", &[3], &[2, 3]),
             Evidence::identity::<DualJet>("the dual jet", &[1], &[1]),
@@ -296,9 +294,8 @@ struct DualCurvatures;
 
 impl Identity for DualCurvatures {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let f = polynomial(trial, 1..=trial.size() as u32)?;
-        let at = TopView::new(T::zero(), T::zero());
-        let jet = trial.accepted("no jet", f.jet(&at).ok_or(()))?;
+        let (f, jet) = graph(trial)?;
+        let at = jet.contact.point.top_view();
         let (k, h) = (jet.curvature(), jet.mean_curvature());
         trial.nonzero(REGULAR, &k)?;
         let dual = trial.defined(REGULAR, ParametricSurface::dual_of(&f).jet(&at))?;

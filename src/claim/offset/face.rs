@@ -24,9 +24,9 @@ pub(in crate::claim) const CLAIMS: &[Claim] = &[Claim {
     hypotheses: &[Hypothesis::silent(FINITE)],
     said: Grade::Decided,
     argument: "The distance concerns one face at a time. Planes with n·s = 1 make equal angles \
-                   with s, which is a cone of revolution; unit normals, four at a time, admit an s iff they lie in \
-                   a plane that misses the centre. Where it passes through the centre, the circle is a \
-                   great one and the planes at a vertex pass through one line.",
+               with s, which is a cone of revolution. The unit normals at a vertex admit an s iff \
+               each lies in the plane that the first three span, if that misses the centre; where \
+               it passes through the centre, the planes at a vertex pass through one line.",
     evidence: &[
         Evidence::identity::<FaceDistance>("distances of planes", &[1], &[1]),
         Evidence::identity::<Conical>("four planes at a vertex", &[1], &[1]),

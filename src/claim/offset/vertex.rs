@@ -29,7 +29,7 @@ pub(in crate::claim) const CLAIMS: &[Claim] = &[Claim {
         Hypothesis::silent(SIMPLY_CONNECTED),
     ],
     said: Grade::Decided,
-    argument: "A face of S lies in a plane, which cuts the sphere in a circle; turned so that the \
+    argument: "Faces span planes. A face of S lies in one, which cuts the sphere in a circle; turned so that the \
                    plane is horizontal, it is a circle around the gradient of the face, as for Σ. From \
                    a point of the circle the direction of an edge leads to one other; which one \
                    depends on the edge alone, so in a simply connected mesh nothing is asked but that \
