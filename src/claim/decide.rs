@@ -1,5 +1,6 @@
 //! Deciding: the evidence is recorded on symbols, and its goals vanish as rational functions.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::panic::Location;
 use std::time::{Duration, Instant};
@@ -145,16 +146,19 @@ impl Record {
         Err(last)
     }
 
-    fn places(&self, nodes: &[NodeId]) -> Vec<String> {
+    /// The files of the library whose operations the nodes need, from `src` on.
+    fn files(&self, nodes: &[NodeId]) -> Vec<String> {
         let slice = self.program.slice(nodes);
-        let files = self.program.nodes().filter(|n| slice[n.index()]);
-        let mut files: Vec<String> =
-            files.map(|n| self.program.place(n).file().replace('\\', "/")).collect();
-        files.sort();
-        files.dedup();
-        files.retain(|file| !file.contains("/claim/"));
-        files
+        let nodes = self.program.nodes().filter(|n| slice[n.index()]);
+        let files: BTreeSet<String> =
+            nodes.map(|n| self.program.place(n).file().replace('\\', "/")).collect();
+        files.into_iter().filter(|file| is_library(file)).collect()
     }
+}
+
+/// Whether a source file is code that claims are about: neither theirs nor that of the recorder.
+pub(super) fn is_library(file: &str) -> bool {
+    file.starts_with("src/") && !file.starts_with("src/claim/") && !file.starts_with("src/scalar/")
 }
 
 /// Decides a piece of evidence of a claim at one size.
@@ -192,7 +196,7 @@ pub(super) fn decide(
         instructions: slice.iter().filter(|needed| **needed).count(),
         error,
         conditions,
-        files: record.places(&nodes),
+        files: record.files(&nodes),
         time: start.elapsed(),
     };
     // What must not vanish: divisors, and whatever a comparison took for different from zero.

@@ -11,9 +11,9 @@
 //!
 //! | chapter | section of the paper |
 //! | --- | --- |
-//! | `space` | 2.1 |
+//! | `motion`, `space`, `duality`, `moebius` | 2.1 |
 //! | `laguerre` | 2.2 |
-//! | `parallel` | 3.1 |
+//! | `parallel`, `offset` | 3.1 |
 //! | `principal` | 3.2 |
 //! | `isothermic` | 3.4 |
 //! | `curvature`, `minkowski`, `minimal`, `vertex` | 4 |
@@ -32,10 +32,14 @@ mod trial;
 mod verify;
 
 mod curvature;
+mod duality;
 mod isothermic;
 mod laguerre;
 mod minimal;
 mod minkowski;
+mod moebius;
+mod motion;
+mod offset;
 mod parallel;
 mod principal;
 mod space;
@@ -148,10 +152,17 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 9] = [
+const CHAPTERS: &[&[Claim]] = &[
+    motion::CLAIMS,
     space::CLAIMS,
+    duality::CLAIMS,
+    moebius::CLAIMS,
     laguerre::CLAIMS,
+    laguerre::group::CLAIMS,
     parallel::CLAIMS,
+    offset::vertex::CLAIMS,
+    offset::edge::CLAIMS,
+    offset::face::CLAIMS,
     principal::CLAIMS,
     isothermic::CLAIMS,
     curvature::CLAIMS,
@@ -162,7 +173,7 @@ const CHAPTERS: [&[Claim]; 9] = [
 
 /// All claims in the order of the paper.
 pub fn claims() -> impl Iterator<Item = &'static Claim> {
-    CHAPTERS.into_iter().flatten()
+    CHAPTERS.iter().copied().flatten()
 }
 
 /// The claim of this name.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::decide::Record;
+use super::decide::{Record, is_library};
 use super::{Claim, Evidence};
 use crate::scalar::{Instruction, Mutation, NodeId, Prime61, Rational};
 
@@ -31,7 +31,7 @@ pub fn mutants(
     let mut tallies = BTreeMap::new();
     for claim in claims {
         for evidence in claim.evidence {
-            if let Some(&size) = evidence.decided.first() {
+            for &size in evidence.decided {
                 tally(claim, evidence, size, &mut tallies);
             }
         }
@@ -60,7 +60,7 @@ fn tally(
     for node in program.nodes().filter(wrongable) {
         let place = program.place(node);
         let file = place.file().replace('\\', "/");
-        if file.contains("/claim/") {
+        if !is_library(&file) {
             continue;
         }
         let tally: &mut MutantTally = tallies.entry((file, place.line())).or_default();

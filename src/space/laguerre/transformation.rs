@@ -2,7 +2,7 @@
 
 use super::sphere::{isotropic, standard};
 use super::{Cone, OrientedPlane, OrientedSphere};
-use crate::scalar::{Field, Ordered, Ring};
+use crate::scalar::{Field, Ring};
 use crate::space::{
     Model, MoebiusTransformation, Point, Similarity, SpaceError, Transform, Vector3,
 };
@@ -45,7 +45,7 @@ impl<T: Ring> Transform<OrientedSphere<T>> for LaguerreTransformation<T> {
     }
 }
 
-impl<T: Field + Ordered> Transform<OrientedPlane<T>> for LaguerreTransformation<T> {
+impl<T: Field> Transform<OrientedPlane<T>> for LaguerreTransformation<T> {
     fn apply(&self, plane: &OrientedPlane<T>) -> OrientedPlane<T> {
         let Vector3 { x, y, z } = plane.normal().clone();
         let ([x, y, z, w], height) = self.hyperplane(&[x, y, z, T::one()], plane.height());
