@@ -200,15 +200,17 @@ pub(super) fn decide(
         time: start.elapsed(),
     };
     // What must not vanish: divisors, and whatever a comparison took for different from zero.
-    let divisors = program.divisors(&slice).into_iter();
+    // The hypotheses have to be defined, too.
+    let mut needed = nodes.clone();
+    needed.extend(&record.relations);
+    needed.extend(record.conditions.iter().map(|c| c.value));
+    let divisors = program.divisors(&program.slice(&needed)).into_iter();
     let mut excluded: Vec<(NodeId, String)> =
         divisors.map(|(divisor, at)| (divisor, place(program.place(at)))).collect();
     let compared = program.branches().iter().filter(|b| b.outcome == Outcome::NotZero);
     excluded.extend(compared.map(|b| (b.node, place(b.place))));
 
-    let mut asked = nodes.clone();
-    asked.extend(&record.relations);
-    asked.extend(record.conditions.iter().map(|c| c.value));
+    let mut asked = needed;
     asked.extend(excluded.iter().map(|e| e.0));
     let forms = match NormalForms::of(program, &asked) {
         Ok(forms) => forms,
@@ -216,7 +218,9 @@ pub(super) fn decide(
         Err(why) if !record.relations.is_empty() => return Err(why.into()),
         Err(_) => {
             let error = at_a_random_point(program, &vanishing, seed)?;
-            return Ok(decision(Grade::DecidedUpTo, Some(error), Vec::new()));
+            let uses = excluded.len();
+            let uncompared = Condition { hypothesis: "conditions not compared", uses };
+            return Ok(decision(Grade::DecidedUpTo, Some(error), vec![uncompared]));
         }
     };
     let numerator = |node| forms.quotient(node).map(|q| q.numerator().clone()).unwrap_or_default();

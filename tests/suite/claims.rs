@@ -4,6 +4,8 @@ use isogeo::claim::{
     Claim, Control, Counterexample, Evidence, Experiment, Grade, Hypothesis, Identity, Options,
     Report, Run, Seed, Source, Trial, Verdict, claims, ledger, mutants, verify,
 };
+use isogeo::mesh::file::{Format, read_bytes};
+use isogeo::mesh::{FaceList, Mesh};
 use isogeo::pair::twice_area;
 use isogeo::scalar::{Field, RationalField};
 use isogeo::space::TopView;
@@ -61,6 +63,11 @@ struct Area;
 impl Identity for Area {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
         let triangle = [(); 3].map(|()| TopView::new(trial.free(), trial.free()));
+        let mut faces = FaceList::new();
+        faces.push([0, 1, 2]);
+        let points = triangle.iter().map(|v| v.at_height(T::zero())).collect();
+        let mesh = trial.accepted("a triangle", Mesh::new(points, faces))?;
+        trial.exhibit("triangle", &mesh);
         trial.zero("area", twice_area(&triangle));
         Ok(())
     }
@@ -156,6 +163,12 @@ fn what_is_wrong_with_a_claim_is_found() {
         ..SURE
     };
     let reports = judged(&[&FALSE, &UNSTATED, &IDLE, &SAMPLED, &UNCONTROLLED, &HARMLESS, &VACUOUS]);
+    // The failure is small, and a file.
+    let failure = reports[0].parts[0].sampling.failure.as_ref().expect("a failure");
+    let (name, text) = &failure.meshes[0];
+    let file = read_bytes("triangle.iso.json", Format::IsoJson, text.as_bytes()).expect("a mesh");
+    assert_eq!((*name, file.topology().face_count()), ("triangle", 1));
+    assert!(failure.unknowns.iter().all(|n| ["0", "1", "-1"].contains(&n.as_str())));
     let said: Vec<String> = reports
         .iter()
         .map(|r| format!("{}: {}", r.verdict().name(), r.failures().join("; ")))
