@@ -13,7 +13,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::scalar::ReadAs;
 pub use claims::{ClaimsCommand, ClaimsOptions, VerifyOptions};
-pub use figures::{FigureKind, FigureOptions};
+pub use figures::{FigureKind, FigureOptions, ViewOptions};
 pub use pairs::{
     At, ChristoffelOptions, CurvatureOptions, GaussKind, GaussOptions, MakeOptions, OffsetOptions,
 };
@@ -68,6 +68,7 @@ pub enum Command {
     Accuracy(AccuracyOptions),
     Claims(ClaimsOptions),
     Figure(FigureOptions),
+    View(ViewOptions),
     /// Print a completion script for a shell
     #[command(
         after_help = "Example:\n  isogeo completions bash > ~/.local/share/bash-completion/completions/isogeo"

@@ -42,7 +42,8 @@ pub fn read_image(path: &Path, options: &InputOptions, mesh: &Input) -> Result<I
     Ok(image)
 }
 
-fn read_file(path: &Path, reading: Option<Reading>) -> Result<Input, Failure> {
+/// Reads a file; without a reading, in its own.
+pub fn read_file(path: &Path, reading: Option<Reading>) -> Result<Input, Failure> {
     let bytes = std::fs::metadata(path).map_or(0, |m| m.len() as usize);
     let bar = output::progress(bytes / 50, "reading");
     let mut file = file::read(path)?;

@@ -23,6 +23,7 @@ mod output;
 mod transfer;
 mod triangulate;
 mod usage;
+mod view;
 mod words;
 
 use std::process::ExitCode;
@@ -102,6 +103,7 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Accuracy(options) => accuracy::run(&options, layout),
         Command::Claims(options) => claims::run(&options, layout),
         Command::Figure(options) => figure::run(&options, layout),
+        Command::View(options) => view::run(&options, layout),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "isogeo", &mut script);

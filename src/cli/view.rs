@@ -1,24 +1,27 @@
 //! `isogeo view`: meshes on one interactive page.
 
 use std::collections::BTreeSet;
+use std::path::PathBuf;
 
 use super::arguments::{Layout, ViewOptions};
 use super::failure::Failure;
 use super::{Status, input, output};
 use crate::figure::page::{Sight, page};
+use crate::mesh::Mesh;
 use crate::mesh::file::write_whole;
+use crate::scalar::Rational;
 
 /// Reads the meshes and writes the page.
 pub fn run(options: &ViewOptions, layout: Layout) -> Result<Status, Failure> {
-    let meshes = options.meshes.iter().map(|path| input::read_rational(path));
-    let meshes = meshes.collect::<Result<Vec<_>, _>>()?;
-    let gauss = options.gauss.as_ref().map(|path| input::read_rational(path)).transpose()?;
+    let exact = |path: &PathBuf| Ok(input::read_file(path, options.read_as)?.exact());
+    let meshes = options.meshes.iter().map(exact).collect::<Result<Vec<_>, Failure>>()?;
+    let gauss = options.gauss.as_ref().map(exact).transpose()?;
     let sights: Vec<Sight<'_>> = options
         .meshes
         .iter()
         .zip(&meshes)
         .map(|(path, mesh)| {
-            let fits = |s: &&crate::mesh::Mesh<crate::scalar::Rational>| s.topology == mesh.topology;
+            let fits = |s: &&Mesh<Rational>| s.topology == mesh.topology;
             Sight {
                 name: path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into()),
                 mesh,
@@ -35,7 +38,11 @@ pub fn run(options: &ViewOptions, layout: Layout) -> Result<Status, Failure> {
     {
         let known: BTreeSet<&String> = meshes.iter().flat_map(|m| m.data.face.keys()).collect();
         let known = known.into_iter().cloned().collect::<Vec<_>>().join(", ");
-        let help = if known.is_empty() { "the faces have no values".into() } else { format!("there are {known}") };
+        let help = if known.is_empty() {
+            "the faces have no values".into()
+        } else {
+            format!("there are {known}")
+        };
         return Err(Failure::with_help(format!("no mesh has values '{name}' on its faces"), help));
     }
     let title = sights.iter().map(|sight| sight.name.as_str()).collect::<Vec<_>>().join(", ");

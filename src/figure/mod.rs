@@ -7,6 +7,7 @@ pub mod draw;
 mod exhibit;
 mod fig_08;
 mod files;
+pub mod page;
 mod sheet;
 
 pub use exhibit::{Exhibit, NotSo};

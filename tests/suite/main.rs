@@ -14,6 +14,7 @@ mod incircles;
 mod linear_space;
 mod meshes;
 mod nets;
+mod pages;
 mod pairs;
 mod scalars;
 mod space;

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::Reading;
+
 /// Make the figures of the paper: exact data and pictures
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -39,4 +41,30 @@ pub enum FigureKind {
     Tikz,
     /// The meshes for ParaView
     Vtu,
+}
+
+/// Write meshes as one interactive page that needs no network
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Drag to turn, wheel to zoom; the pointer tells the exact numbers of a vertex or a face. Sliders shear
+the mesh (an i-motion), stretch its heights and offset it with --gauss; double-click puts one back. The
+address keeps the view. The top view shows the vertex circles of meshes with radii.
+Example:
+  isogeo view roof.obj dual.iso.json -o roof.html")]
+pub struct ViewOptions {
+    /// The meshes, shown side by side with one camera
+    #[arg(required = true, value_name = "MESH")]
+    pub meshes: Vec<PathBuf>,
+    /// How their numbers are understood [default: as each file says]
+    #[arg(long, value_enum, value_name = "READING")]
+    pub read_as: Option<Reading>,
+    /// A mesh S with the same faces, for a slider of the offset M + dS
+    #[arg(long, value_name = "S")]
+    pub gauss: Option<PathBuf>,
+    /// Colour the faces by these values of theirs, such as K or H
+    #[arg(long, value_name = "NAME")]
+    pub color: Option<String>,
+    /// The page
+    #[arg(short, long = "output", value_name = "OUT.html")]
+    pub out: PathBuf,
 }

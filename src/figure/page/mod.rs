@@ -17,7 +17,7 @@ pub struct Sight<'a> {
     pub mesh: &'a Mesh<Rational>,
     /// A mesh S with the same faces, for the offset M + dS.
     pub gauss: Option<&'a Mesh<Rational>>,
-    /// Values of faces that colour them, by name of the data; a face without a colour has none.
+    /// The data of faces that colours them: blue below 0, red above, by the rank of their sizes.
     pub color: Option<&'a str>,
 }
 
@@ -57,9 +57,10 @@ fn escaped(text: &str) -> String {
 
 fn mesh_json(sight: &Sight<'_>) -> Value {
     let mesh = sight.mesh;
-    let faces = mesh.topology.faces().map(|f| {
-        mesh.topology.face(f).iter().map(|v| v.index()).collect::<Vec<_>>()
-    });
+    let faces = mesh
+        .topology
+        .faces()
+        .map(|f| mesh.topology.face(f).iter().map(|v| v.index()).collect::<Vec<_>>());
     let exact = mesh.points.iter().map(|p| p.coordinates().map(Rational::to_string));
     let named = |arrays: &std::collections::BTreeMap<String, Vec<Rational>>| {
         let texts = |values: &Vec<Rational>| values.iter().map(Rational::to_string).collect();
@@ -82,7 +83,7 @@ fn mesh_json(sight: &Sight<'_>) -> Value {
         value["circles"] = json!(circles.collect::<Vec<_>>());
     }
     if let Some(values) = sight.color.and_then(|name| mesh.data.face.get(name)) {
-        value["values"] = json!(scaled(values));
+        value["values"] = json!(ranked(values));
     }
     value
 }
@@ -91,9 +92,13 @@ fn floats(mesh: &Mesh<Rational>) -> Vec<[f64; 3]> {
     mesh.points.iter().map(|p| p.coordinates().map(Approx::to_f64)).collect()
 }
 
-/// Values as fractions of the greatest size.
-fn scaled(values: &[Rational]) -> Vec<f64> {
+/// The place of each size among all sizes, with the sign of the value: every colour is used, whatever
+/// the spread.
+fn ranked(values: &[Rational]) -> Vec<f64> {
     let values: Vec<f64> = values.iter().map(Approx::to_f64).collect();
-    let greatest = values.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    values.iter().map(|x| if greatest > 0.0 { x / greatest } else { 0.0 }).collect()
+    let mut sizes: Vec<f64> = values.iter().map(|x| x.abs()).collect();
+    sizes.sort_by(f64::total_cmp);
+    let rank = |x: f64| sizes.partition_point(|size| *size < x.abs()) + 1;
+    let fraction = |x: f64| x.signum() * rank(x) as f64 / sizes.len() as f64;
+    values.iter().map(|&x| if x == 0.0 { 0.0 } else { fraction(x) }).collect()
 }
