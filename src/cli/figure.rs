@@ -91,6 +91,7 @@ impl From<FigureKind> for Kind {
             FigureKind::Pdf => Kind::Pdf,
             FigureKind::Tikz => Kind::Tikz,
             FigureKind::Vtu => Kind::Vtu,
+            FigureKind::Html => Kind::Html,
         }
     }
 }

@@ -41,6 +41,8 @@ pub enum FigureKind {
     Tikz,
     /// The meshes for ParaView
     Vtu,
+    /// The meshes on an interactive page
+    Html,
 }
 
 /// Write meshes as one interactive page that needs no network
