@@ -25,6 +25,7 @@ mod decide;
 mod draw;
 mod evidence;
 mod example;
+mod instance;
 mod ledger;
 mod mutant;
 mod sample;
@@ -38,6 +39,7 @@ mod minimal;
 mod parallel;
 mod principal;
 mod space;
+mod theorem_1;
 mod vertex;
 
 pub use control::{Control, Counterexample};
@@ -147,11 +149,12 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 8] = [
+const CHAPTERS: [&[Claim]; 9] = [
     space::CLAIMS,
     laguerre::CLAIMS,
     parallel::CLAIMS,
     principal::CLAIMS,
+    theorem_1::CLAIMS,
     isothermic::CLAIMS,
     curvature::CLAIMS,
     minimal::CLAIMS,

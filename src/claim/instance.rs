@@ -1,0 +1,134 @@
+//! Small instances that several chapters make: faces, stars and pyramids in general position.
+
+use super::{Run, Stop, Trial};
+use crate::mesh::{FaceId, FaceList, Mesh};
+use crate::net::i_circular::Concyclic;
+use crate::scalar::{Field, Ordered, Sign};
+use crate::space::{Circle, Dual, Gradient, Plane, Point, TopView, Vector2};
+
+/// Where an instance is drawn so that consecutive edges of a face span its plane.
+pub(super) const CORNERS: &str = "consecutive edges are not collinear in the top view";
+
+/// A mesh of one face.
+pub(super) fn one_face<T: Field>(
+    trial: &mut Trial<T>,
+    points: Vec<Point<T>>,
+) -> Result<Mesh<T>, Stop> {
+    let mut faces = FaceList::new();
+    faces.push(0..points.len() as u32);
+    trial.accepted("one face", Mesh::new(points, faces))
+}
+
+/// Triangles between the first point and the others, which form a closed ring.
+pub(super) fn star<T: Field>(trial: &mut Trial<T>, points: Vec<Point<T>>) -> Result<Mesh<T>, Stop> {
+    let n = points.len() as u32 - 1;
+    let mut faces = FaceList::new();
+    (0..n).for_each(|j| faces.push([0, 1 + j, 1 + (j + 1) % n]));
+    trial.accepted("a star", Mesh::new(points, faces))
+}
+
+/// A free plane.
+pub(super) fn free_plane<T: Field>(trial: &mut Trial<T>) -> Plane<T> {
+    Plane::new(Gradient::new(trial.free(), trial.free()), trial.free())
+}
+
+/// A free top view.
+pub(super) fn free_top_view<T: Field>(trial: &mut Trial<T>) -> TopView<T> {
+    TopView::new(trial.free(), trial.free())
+}
+
+/// A top view on the circle through three others: the second point of the line in a free direction
+/// through the first.
+pub(super) fn on_circle<T: Field>(
+    trial: &mut Trial<T>,
+    hypothesis: &'static str,
+    [a, b, c]: [&TopView<T>; 3],
+) -> Result<TopView<T>, Stop> {
+    let direction = trial.free_vector2();
+    trial.parameter("a direction of the line to the next point", &direction.length2())?;
+    trial.parameter(CORNERS, &(b - a).det(&(c - a)))?;
+    let circle = trial.accepted("a circle", Circle::through(a, b, c))?;
+    let twice = (&circle.centre - a).dot(&direction) * T::from_i64(2);
+    let step = direction.scaled(&(twice / direction.length2()));
+    let at = trial.constrained_vector2((a + &step).position());
+    let at = TopView::new(at.x, at.y);
+    trial.relation(hypothesis, incircle([a, b, c, &at]))?;
+    Ok(at)
+}
+
+/// The in-circle determinant of [`Concyclic`] for top views.
+pub(super) fn incircle<T: Field>(at: [&TopView<T>; 4]) -> T {
+    residual_at_zero(at.map(|x| x.clone()))
+}
+
+/// The same for gradients.
+pub(super) fn gradient_incircle<T: Field>(gradients: [&Gradient<T>; 4]) -> T {
+    residual_at_zero(gradients.map(Dual::dual))
+}
+
+fn residual_at_zero<T: Field>(at: [TopView<T>; 4]) -> T {
+    crate::check::Residual::eval(Concyclic, &at.map(|x| x.at_height(T::zero())), &T::one())
+}
+
+/// The gradient of a face.
+pub(super) fn gradient<T: Field>(
+    trial: &mut Trial<T>,
+    mesh: &Mesh<T>,
+    face: usize,
+) -> Result<Gradient<T>, Stop> {
+    Ok(trial.accepted("a face plane", mesh.face_plane(FaceId(face as u32)))?.gradient)
+}
+
+/// A closed pyramid with an apex over the origin and the base `z = 0`, by the gradients of its four
+/// sides: the apex is vertex 0; side `j` is face `j` and has the corners `1 + j` and the next.
+///
+/// Up to an i-motion every pyramid is one of these.
+pub(super) fn pyramid<T: Field>(
+    trial: &mut Trial<T>,
+    height: &T,
+    sides: &[Gradient<T>; 4],
+) -> Result<Mesh<T>, Stop> {
+    trial.parameter("the apex is not in the base", height)?;
+    let zero = Gradient::new(T::zero(), T::zero());
+    let mut points = vec![Point::new(T::zero(), T::zero(), height.clone())];
+    for j in 0..4 {
+        let (left, right) = (&sides[(j + 3) % 4], &sides[j]);
+        let det = (left - &zero).det(&(right - &zero));
+        trial.parameter("the base meets the edges of the apex", &det)?;
+        let corner = (right - left).turned().scaled(&(height / &det));
+        points.push(Point::new(corner.x, corner.y, T::zero()));
+    }
+    let mut faces = FaceList::new();
+    (0..4).for_each(|j| faces.push([0, 1 + j, 1 + (j + 1) % 4]));
+    faces.push([4, 3, 2, 1]);
+    trial.accepted("a pyramid", Mesh::new(points, faces))
+}
+
+/// States that no two numbers are equal, one condition for every pair.
+pub(super) fn all_different<T: Field>(
+    trial: &mut Trial<T>,
+    says: &'static str,
+    numbers: &[&T],
+) -> Run {
+    for (n, a) in numbers.iter().enumerate() {
+        for b in &numbers[n + 1..] {
+            trial.parameter(says, &(*a - *b))?;
+        }
+    }
+    Ok(())
+}
+
+/// Cosine and sine, times the lengths, of the angle from one vector to another.
+pub(super) fn turn<T: Field>(a: &Vector2<T>, b: &Vector2<T>) -> Vector2<T> {
+    Vector2::new(a.dot(b), a.det(b))
+}
+
+/// Cosine and sine of the sum of two angles.
+pub(super) fn sum<T: Field>(a: &Vector2<T>, b: &Vector2<T>) -> Vector2<T> {
+    Vector2::new(&a.x * &b.x - &a.y * &b.y, &a.y * &b.x + &a.x * &b.y)
+}
+
+/// 0 if the sign of a number is the expected one, for goals about the order.
+pub(super) fn unless<T: Field + Ordered>(expected: Sign, value: &T) -> T {
+    T::from_i64(i64::from(value.certain_sign() != Some(expected)))
+}
