@@ -37,8 +37,8 @@ pub(super) fn free_top_view<T: Field>(trial: &mut Trial<T>) -> TopView<T> {
     TopView::new(trial.free(), trial.free())
 }
 
-/// A top view on the circle through three others: the second point of the line in a free direction
-/// through the first.
+/// A top view on the circle through three others, which are not collinear: the second point of the
+/// line in a free direction through the first.
 pub(super) fn on_circle<T: Field>(
     trial: &mut Trial<T>,
     hypothesis: &'static str,
@@ -46,11 +46,14 @@ pub(super) fn on_circle<T: Field>(
 ) -> Result<TopView<T>, Stop> {
     let direction = trial.free_vector2();
     trial.parameter("a direction of the line to the next point", &direction.length2())?;
-    trial.parameter(CORNERS, &(b - a).det(&(c - a)))?;
-    let circle = trial.accepted("a circle", Circle::through(a, b, c))?;
-    let twice = (&circle.centre - a).dot(&direction) * T::from_i64(2);
-    let step = direction.scaled(&(twice / direction.length2()));
-    let at = trial.constrained_vector2((a + &step).position());
+    let at = match Circle::through(a, b, c) {
+        Ok(circle) => {
+            let twice = (&circle.centre - a).dot(&direction) * T::from_i64(2);
+            a + &direction.scaled(&(twice / direction.length2()))
+        }
+        Err(_) => a.clone(),
+    };
+    let at = trial.constrained_vector2(at.position());
     let at = TopView::new(at.x, at.y);
     trial.relation(hypothesis, incircle([a, b, c, &at]))?;
     Ok(at)

@@ -40,6 +40,7 @@ mod parallel;
 mod principal;
 mod space;
 mod theorem_1;
+mod theorem_2;
 mod vertex;
 
 pub use control::{Control, Counterexample};
@@ -149,12 +150,13 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 9] = [
+const CHAPTERS: [&[Claim]; 10] = [
     space::CLAIMS,
     laguerre::CLAIMS,
     parallel::CLAIMS,
     principal::CLAIMS,
     theorem_1::CLAIMS,
+    theorem_2::CLAIMS,
     isothermic::CLAIMS,
     curvature::CLAIMS,
     minimal::CLAIMS,

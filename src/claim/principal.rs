@@ -1,7 +1,7 @@
 //! Sec. 3.2: angles of i-circular faces and i-conical vertices, and the cone at a vertex.
 
 use super::instance::{
-    CORNERS, all_different, gradient, gradient_incircle, pyramid, star, sum, turn, unless,
+    CORNERS, all_different, gradient, gradient_incircle, on_circle, pyramid, star, sum, turn, unless,
 };
 use super::{
     Claim, Control, Counterexample, Evidence, Experiment, Grade, Hypothesis, Identity, Run, Source,
@@ -14,7 +14,7 @@ use crate::net::i_circular::Concyclic;
 use crate::net::i_conical::{Balance, ConcyclicGradients};
 use crate::net::scribed::TouchesSigma;
 use crate::scalar::{Field, Ordered, Rational, RationalField, Ring, Sign};
-use crate::space::{Circle, Dual, Gradient, Plane, Point, Rotation, TopView, Vector2};
+use crate::space::{Dual, Gradient, Plane, Point, Rotation, TopView, Vector2};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -375,23 +375,12 @@ impl Identity for ConeAtApex {
         let height = trial.free();
         let three = [(); 3].map(|()| TopView::new(trial.free(), trial.free()));
         let [a, b, c] = &three;
-        let direction = trial.free_vector2();
-        trial.parameter("a direction", &direction.length2())?;
         trial.nonzero(NOT_COLLINEAR, &(b - a).det(&(c - a)))?;
-        let fourth = match Circle::through(a, b, c) {
-            Ok(circle) => {
-                let twice = (&circle.centre - a).dot(&direction) * T::from_i64(2);
-                a + &direction.scaled(&(twice / direction.length2()))
-            }
-            Err(_) => a.clone(),
-        };
-        let fourth = trial.constrained_vector2(fourth.position());
-        let fourth = TopView::new(fourth.x, fourth.y);
+        let fourth = on_circle(trial, ON_CIRCLE, [a, b, c])?;
         for [a, b] in [[a, b], [b, c], [c, a]] {
             trial.nonzero(NOT_COLLINEAR, &(b - a).det(&(&fourth - a)))?;
         }
         let p = [a, b, c, &fourth].map(Dual::dual);
-        trial.relation(ON_CIRCLE, gradient_incircle([&p[0], &p[1], &p[2], &p[3]]))?;
         let xs = [&p[0].x, &p[1].x, &p[2].x, &p[3].x, &T::zero()];
         all_different(trial, "the gradients differ in x", &xs)?;
         let m = pyramid(trial, &height, &p)?;

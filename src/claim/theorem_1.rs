@@ -15,7 +15,7 @@ use crate::net::planar::Coplanar;
 use crate::net::scribed::OnSigma;
 use crate::pair::Parallel;
 use crate::scalar::{Field, Rational, RationalField, Ring};
-use crate::space::{Dual, ParabolicSphere, Plane, Point, TopView, Vector2, Vector3};
+use crate::space::{Dual, Gradient, ParabolicSphere, Plane, Point, TopView, Vector2, Vector3};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -155,6 +155,7 @@ fn concyclic<T: Field>(
     hypothesis: &'static str,
 ) -> Result<Vec<TopView<T>>, Stop> {
     let mut at = vec![free_top_view(trial), free_top_view(trial), free_top_view(trial)];
+    trial.parameter(CORNERS, &(&at[1] - &at[0]).det(&(&at[2] - &at[0])))?;
     while at.len() < trial.size().max(4) {
         at.push(on_circle(trial, hypothesis, [&at[0], &at[1], &at[2]])?);
     }
@@ -203,7 +204,7 @@ impl Identity for LiftedFace {
 }
 
 /// An i-circular net over a free square grid, with a free ratio in every face.
-fn net<T: RationalField>(trial: &mut Trial<T>) -> Result<Mesh<T>, Stop> {
+pub(super) fn net<T: RationalField>(trial: &mut Trial<T>) -> Result<Mesh<T>, Stop> {
     let n = trial.size();
     let side = |trial: &mut Trial<T>, first: Point<T>| {
         let mut side = vec![first];
@@ -257,8 +258,11 @@ struct StepsAroundQuad;
 
 impl Identity for StepsAroundQuad {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let at = [(); 4].map(|()| free_top_view(trial));
-        let plane = free_plane(trial);
+        // Up to an i-motion the face lies in z = 0, and its first edge along x from the origin.
+        let (origin, zero) = (TopView::new(T::zero(), T::zero()), Gradient::new(T::zero(), T::zero()));
+        let plane = Plane::new(zero, T::zero());
+        let second = TopView::new(trial.free(), T::zero());
+        let at = [origin, second, free_top_view(trial), free_top_view(trial)];
         let start = free_top_view(trial);
         let e: [Vector2<T>; 4] = std::array::from_fn(|j| &at[(j + 1) % 4] - &at[j]);
         for e in &e {
