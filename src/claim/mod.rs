@@ -38,6 +38,7 @@ mod laguerre;
 mod minimal;
 mod parallel;
 mod principal;
+mod remark_1;
 mod space;
 mod theorem_1;
 mod theorem_2;
@@ -150,13 +151,14 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 10] = [
+const CHAPTERS: [&[Claim]; 11] = [
     space::CLAIMS,
     laguerre::CLAIMS,
     parallel::CLAIMS,
     principal::CLAIMS,
     theorem_1::CLAIMS,
     theorem_2::CLAIMS,
+    remark_1::CLAIMS,
     isothermic::CLAIMS,
     curvature::CLAIMS,
     minimal::CLAIMS,

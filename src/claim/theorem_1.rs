@@ -33,7 +33,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         evidence: &[
             Evidence::identity::<LiftedVolume>("the volume", &[4], &[4]),
             Evidence::identity::<LiftedFace>("one face with k corners", &[4, 5, 6, 7, 8], &[4, 5, 6, 8]),
-            Evidence::experiment::<LiftedNet>("nets", &[2, 3, 4]),
+            Evidence::experiment::<LiftedNet>("nets", &[2, 3]),
         ],
         controls: &[
             Control {
@@ -79,7 +79,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             Evidence::identity::<StepsAroundQuad>("the gap of any quad", &[1], &[1]),
             Evidence::identity::<ClosedFace>("one i-circular face", &[4], &[4, 6, 8]),
             Evidence::identity::<StepOverEdge>("a step is the same for both faces", &[1], &[1]),
-            Evidence::experiment::<InscribedNet>("nets", &[2, 3, 4]),
+            Evidence::experiment::<InscribedNet>("nets", &[2, 3]),
         ],
         controls: &[
             Control {
@@ -273,10 +273,11 @@ impl Identity for StepsAroundQuad {
         let w = times(&times(&e[1], &e[3]), &Vector2::new(even.x.clone(), -even.y));
         let [a, b, c, d] = &at;
         let circle = incircle([a, b, c, d]);
-        trial.parameter("the quad is not concyclic", &circle)?;
+        // Both have the length of the first edge as a factor.
+        trial.parameter("the quad is not concyclic", &(&circle / &e[0].x))?;
         let from_g = &start - &plane.gradient.dual();
         let along = times(&w, &from_g).turned();
-        trial.parameter("the gap has an x", &along.x)?;
+        trial.parameter("the gap has an x", &(&along.x / &e[0].x))?;
         let norm = e.iter().fold(T::one(), |product, e| product * e.length2());
         let gap = along.scaled(&(T::from_i64(2) * &circle / norm));
         let m = one_face(trial, over(&plane, &at))?;

@@ -63,7 +63,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                    planes, which are parallel to those of M.",
         evidence: &[
             Evidence::identity::<CircumscribedPyramid>("a pyramid", &[1], &[1]),
-            Evidence::experiment::<CircumscribedNet>("duals of i-circular nets", &[3, 4]),
+            Evidence::experiment::<CircumscribedNet>("duals of i-circular nets", &[3]),
         ],
         controls: &[
             Control {
@@ -107,7 +107,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                    faces of a simply connected mesh closes.",
         evidence: &[
             Evidence::identity::<MirroredContacts>("the star of a vertex", &[1], &[1]),
-            Evidence::experiment::<SameTopView>("duals of i-circular nets", &[3, 4]),
+            Evidence::experiment::<SameTopView>("duals of i-circular nets", &[3]),
         ],
         controls: &[
             Control {
@@ -151,7 +151,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         said: Grade::Instances,
         argument: "",
         evidence: &[
-            Evidence::experiment::<ContactCircles>("centres of circles", &[3, 4]),
+            Evidence::experiment::<ContactCircles>("centres of circles", &[3]),
             Evidence::experiment::<EmptyCircles>("empty circles", &[4, 6, 9]),
         ],
         controls: &[Control {
