@@ -4,7 +4,10 @@ use super::{Run, Stop, Trial};
 use crate::mesh::{FaceId, FaceList, Mesh};
 use crate::net::i_circular::Concyclic;
 use crate::scalar::{Field, Ordered, Sign};
-use crate::space::{Circle, Dual, Gradient, Plane, Point, TopView, Vector2};
+use crate::space::{
+    Circle, CylindricalSphere, Dual, Gradient, MoebiusSphere, MoebiusTransformation,
+    OrientedCircle, Plane, Point, TopView, Vector2,
+};
 
 /// Where an instance is drawn so that consecutive edges of a face span its plane.
 pub(super) const CORNERS: &str = "consecutive edges are not collinear in the top view";
@@ -134,4 +137,30 @@ pub(super) fn sum<T: Field>(a: &Vector2<T>, b: &Vector2<T>) -> Vector2<T> {
 /// 0 if the sign of a number is the expected one, for goals about the order.
 pub(super) fn unless<T: Field + Ordered>(expected: Sign, value: &T) -> T {
     T::from_i64(i64::from(value.certain_sign() != Some(expected)))
+}
+
+/// The corners of the polygon about a circle with the contacts at these parameters, each with the
+/// signed length of its tangents as radius.
+pub(super) fn polygon_about<T: Field>(
+    circle: &OrientedCircle<T>,
+    parameters: &[T],
+) -> Option<Vec<OrientedCircle<T>>> {
+    let corner = |j: usize| {
+        let (s, t) = (&parameters[(j + parameters.len() - 1) % parameters.len()], &parameters[j]);
+        let scale = circle.radius.try_div(&(T::one() + s * t))?;
+        let corner = Vector2::new((T::one() - s * t) * &scale, (s + t) * &scale);
+        Some(OrientedCircle { centre: &circle.centre + &corner, radius: (t - s) * scale })
+    };
+    (0..parameters.len()).map(corner).collect()
+}
+
+/// The inversion at the unit cylinder, then the addition of a free i-M-sphere.
+pub(super) fn inversion_and_addition<T: Field>(
+    trial: &mut Trial<T>,
+) -> Result<MoebiusTransformation<T>, Stop> {
+    let sphere = [(); 4].map(|()| trial.free());
+    let unit = Circle::new(TopView::new(T::zero(), T::zero()), T::one());
+    let unit = trial.accepted("a cylinder", CylindricalSphere::new(unit))?;
+    let inversion = MoebiusTransformation::inversion_at_cylinder(&unit, &T::zero());
+    Ok(inversion.then(&MoebiusTransformation::addition(&MoebiusSphere::from(sphere))))
 }

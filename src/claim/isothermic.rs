@@ -1,6 +1,6 @@
 //! Sec. 3.4: Koebe meshes and i-isothermic meshes.
 
-use super::instance::{free_plane, free_top_view, incircle};
+use super::instance::{free_plane, free_top_view, incircle, polygon_about};
 use super::{
     Claim, Control, Counterexample, Evidence, Experiment, Grade, Hypothesis, Identity, Run, Source,
     Stop, Trial,
@@ -156,7 +156,8 @@ fn with_radii<T: Field, const N: usize>(circles: &[&OrientedCircle<T>]) -> [Poin
     let half = N / 2;
     std::array::from_fn(|i| {
         let OrientedCircle { centre, radius } = circles[i % half];
-        let top_view = if i < half { centre.clone() } else { TopView::new(radius.clone(), T::zero()) };
+        let top_view =
+            if i < half { centre.clone() } else { TopView::new(radius.clone(), T::zero()) };
         top_view.at_height(T::zero())
     })
 }
@@ -321,18 +322,6 @@ impl Identity for EdgeInFace {
     }
 }
 
-/// The corners of the polygon about a circle with the contacts at these parameters, each with the
-/// signed length of its tangents as radius.
-fn about<T: Field>(circle: &OrientedCircle<T>, parameters: &[T]) -> Option<Vec<OrientedCircle<T>>> {
-    let corner = |j: usize| {
-        let (s, t) = (&parameters[(j + parameters.len() - 1) % parameters.len()], &parameters[j]);
-        let scale = circle.radius.try_div(&(T::one() + s * t))?;
-        let corner = Vector2::new((T::one() - s * t) * &scale, (s + t) * &scale);
-        Some(OrientedCircle { centre: &circle.centre + &corner, radius: (t - s) * scale })
-    };
-    (0..parameters.len()).map(corner).collect()
-}
-
 struct TangentialFace;
 
 impl Identity for TangentialFace {
@@ -348,7 +337,8 @@ impl Identity for TangentialFace {
                 trial.parameter("different contacts", &(t - s))?;
             }
         }
-        let corners = trial.accepted("a polygon", about(&circle, &parameters).ok_or("none"))?;
+        let corners =
+            trial.accepted("a polygon", polygon_about(&circle, &parameters).ok_or("none"))?;
         let corners: Vec<_> = corners
             .into_iter()
             .map(|corner| {
@@ -447,7 +437,8 @@ impl Experiment for KoebeNet {
             }
         }
         for v in t.interior_vertices() {
-            let around: Vec<_> = t.star(v).map(|h| &incircles[t.face_at(h).index()].radius).collect();
+            let around: Vec<_> =
+                t.star(v).map(|h| &incircles[t.face_at(h).index()].radius).collect();
             if let [a, b, c, d] = around.as_slice() {
                 let residual = schramm_residual(&circles[v.index()].radius, [a, b, c, d]);
                 trial.zero("Schramm's equation at a vertex", residual);
@@ -479,8 +470,9 @@ fn two_contacts() -> Result<String, String> {
 
 fn pentagon() -> Result<String, String> {
     let [circle] = circles([[0, 0, 1]], 1);
-    let parameters = [(0, 1), (1, 2), (2, 1), (-3, 1), (-1, 2)].map(|(p, q)| Rational::from_ratio(p, q));
-    let corners = about(&circle, &parameters).ok_or("no polygon")?;
+    let parameters =
+        [(0, 1), (1, 2), (2, 1), (-3, 1), (-1, 2)].map(|(p, q)| Rational::from_ratio(p, q));
+    let corners = polygon_about(&circle, &parameters).ok_or("no polygon")?;
     let [a, b, c, d] = [0, 1, 2, 3].map(|j| &corners[j].radius);
     let residual = schramm_residual(&circle.radius, [a, b, c, d]);
     if residual.is_zero() { Err("it holds".into()) } else { Ok(format!("residual {residual}")) }

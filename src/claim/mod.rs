@@ -39,6 +39,7 @@ mod minimal;
 mod parallel;
 mod principal;
 mod remark_1;
+mod remark_2;
 mod space;
 mod theorem_1;
 mod theorem_2;
@@ -151,7 +152,7 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 11] = [
+const CHAPTERS: [&[Claim]; 12] = [
     space::CLAIMS,
     laguerre::CLAIMS,
     parallel::CLAIMS,
@@ -160,6 +161,7 @@ const CHAPTERS: [&[Claim]; 11] = [
     theorem_2::CLAIMS,
     remark_1::CLAIMS,
     isothermic::CLAIMS,
+    remark_2::CLAIMS,
     curvature::CLAIMS,
     minimal::CLAIMS,
     vertex::CLAIMS,

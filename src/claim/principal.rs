@@ -1,7 +1,8 @@
 //! Sec. 3.2: angles of i-circular faces and i-conical vertices, and the cone at a vertex.
 
 use super::instance::{
-    CORNERS, all_different, gradient, gradient_incircle, on_circle, pyramid, star, sum, turn, unless,
+    CORNERS, all_different, gradient, gradient_incircle, on_circle, pyramid, star, sum, turn,
+    unless,
 };
 use super::{
     Claim, Control, Counterexample, Evidence, Experiment, Grade, Hypothesis, Identity, Run, Source,

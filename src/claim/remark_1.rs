@@ -1,6 +1,8 @@
 //! Sec. 3.2, Remark 1: conical meshes in Euclidean space, and i-M-transformations.
 
-use super::instance::{CORNERS, free_plane, free_top_view, on_circle, one_face};
+use super::instance::{
+    CORNERS, free_plane, free_top_view, inversion_and_addition, on_circle, one_face,
+};
 use super::theorem_1::net;
 use super::{
     Claim, Control, Counterexample, Evidence, Experiment, Grade, Hypothesis, Identity, Run, Source,
@@ -14,9 +16,7 @@ use crate::net::i_circular::Concyclic;
 use crate::net::planar::Coplanar;
 use crate::scalar::{Field, Rational, RationalField, Ring};
 use crate::space::laguerre::{Cone, LaguerreTransformation, OrientedPlane};
-use crate::space::{
-    Circle, CylindricalSphere, ICircle, MoebiusSphere, MoebiusTransformation, Point, TopView,
-};
+use crate::space::{Circle, CylindricalSphere, ICircle, MoebiusTransformation, Point, TopView};
 
 pub(super) const CLAIMS: &[Claim] = &[Claim {
     id: "remark-1",
@@ -111,21 +111,12 @@ impl Identity for ConeOfFace {
     }
 }
 
-/// The inversion at the unit cylinder, then the addition of a free i-M-sphere.
-fn map<T: Field>(trial: &mut Trial<T>) -> Result<MoebiusTransformation<T>, Stop> {
-    let sphere = [(); 4].map(|()| trial.free());
-    let unit = Circle::new(TopView::new(T::zero(), T::zero()), T::one());
-    let unit = trial.accepted("a cylinder", CylindricalSphere::new(unit))?;
-    let inversion = MoebiusTransformation::inversion_at_cylinder(&unit, &T::zero());
-    Ok(inversion.then(&MoebiusTransformation::addition(&MoebiusSphere::from(sphere))))
-}
-
 struct MappedFace;
 
 impl Identity for MappedFace {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
         let (m, circle) = circular_face(trial)?;
-        let map = map(trial)?;
+        let map = inversion_and_addition(trial)?;
         for p in &m.points {
             trial.nonzero(VERTEX_AT_CENTRE, &p.top_view().norm2())?;
         }
@@ -154,7 +145,7 @@ impl Identity for MappedCone {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
         let top_view = Circle::new(free_top_view(trial), trial.free());
         let circle = ICircle { plane: free_plane(trial), top_view };
-        let map = map(trial)?;
+        let map = inversion_and_addition(trial)?;
         let power = circle.top_view.centre.norm2() - &circle.top_view.radius2;
         trial.nonzero(CIRCLE_THROUGH_CENTRE, &power)?;
         trial.nonzero(GREAT, &(T::one() + power))?;

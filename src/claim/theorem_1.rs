@@ -32,7 +32,11 @@ pub(super) const CLAIMS: &[Claim] = &[
                    top view, so the lift is unique.",
         evidence: &[
             Evidence::identity::<LiftedVolume>("the volume", &[4], &[4]),
-            Evidence::identity::<LiftedFace>("one face with k corners", &[4, 5, 6, 7, 8], &[4, 5, 6, 8]),
+            Evidence::identity::<LiftedFace>(
+                "one face with k corners",
+                &[4, 5, 6, 7, 8],
+                &[4, 5, 6, 8],
+            ),
             Evidence::experiment::<LiftedNet>("nets", &[2, 3]),
         ],
         controls: &[
@@ -259,7 +263,8 @@ struct StepsAroundQuad;
 impl Identity for StepsAroundQuad {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
         // Up to an i-motion the face lies in z = 0, and its first edge along x from the origin.
-        let (origin, zero) = (TopView::new(T::zero(), T::zero()), Gradient::new(T::zero(), T::zero()));
+        let (origin, zero) =
+            (TopView::new(T::zero(), T::zero()), Gradient::new(T::zero(), T::zero()));
         let plane = Plane::new(zero, T::zero());
         let second = TopView::new(trial.free(), T::zero());
         let at = [origin, second, free_top_view(trial), free_top_view(trial)];
@@ -341,7 +346,8 @@ impl Identity for StepOverEdge {
         let other = Plane::through_point(&plane.point_at(&a), other);
         let b = &a + &e;
         let beside = |x: &TopView<T>, by: &T| x + &e.turned().scaled(by);
-        let mut points = over(&plane, &[a.clone(), b.clone(), beside(&b, &left), beside(&a, &left)]);
+        let mut points =
+            over(&plane, &[a.clone(), b.clone(), beside(&b, &left), beside(&a, &left)]);
         points.extend(over(&other, &[beside(&a, &right), beside(&b, &right)]));
         let mut faces = FaceList::new();
         faces.push([0, 1, 2, 3]);
@@ -495,7 +501,11 @@ fn kite(image: [[i64; 3]; 4]) -> Result<String, String> {
     Parallel::new(&m, &s).map_err(|error| error.to_string())?;
     let corners = std::array::from_fn(|i| m.points[i].clone());
     let circle = Concyclic.eval(&corners, &Rational::one());
-    if circle.is_zero() { Err("it is i-circular".into()) } else { Ok(format!("i-circular: {circle}")) }
+    if circle.is_zero() {
+        Err("it is i-circular".into())
+    } else {
+        Ok(format!("i-circular: {circle}"))
+    }
 }
 
 fn kite_itself() -> Result<String, String> {

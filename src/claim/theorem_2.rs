@@ -117,7 +117,8 @@ pub(super) const CLAIMS: &[Claim] = &[
                     evidence: 0,
                     size: 1,
                     unknowns: &[
-                        "0", "0", "0", "1", "0", "0", "1", "-1", "0", "1", "0", "0", "0", "0", "1", "2",
+                        "0", "0", "0", "1", "0", "0", "1", "-1", "0", "1", "0", "0", "0", "0", "1",
+                        "2",
                     ],
                     constrained: &["-1", "-1"],
                 },
@@ -191,10 +192,7 @@ fn sides<T: Field>(
 }
 
 /// The gradients of all faces, where every face has one.
-fn gradients<T: Field>(
-    mesh: &Mesh<T>,
-    hypothesis: &'static str,
-) -> Result<Vec<Gradient<T>>, Stop> {
+fn gradients<T: Field>(mesh: &Mesh<T>, hypothesis: &'static str) -> Result<Vec<Gradient<T>>, Stop> {
     let plane = |face| match mesh.face_plane(face) {
         Ok(plane) => Ok(plane.gradient),
         Err(NoPlane::NotAGraph(_)) => Err(Stop::Excluded(hypothesis)),
