@@ -1,9 +1,11 @@
 //! Small instances that several chapters make: faces, stars and pyramids in general position.
 
 use super::{Run, Stop, Trial};
+use crate::check::Residual;
+use crate::construct::circular_net;
 use crate::mesh::{FaceId, FaceList, Mesh};
 use crate::net::i_circular::Concyclic;
-use crate::scalar::{Field, Ordered, Sign};
+use crate::scalar::{Field, Ordered, Rational, RationalField, Ring, Sign};
 use crate::space::{
     Circle, CylindricalSphere, Dual, Gradient, MoebiusSphere, MoebiusTransformation,
     OrientedCircle, Plane, Point, TopView, Vector2,
@@ -73,7 +75,7 @@ pub(super) fn gradient_incircle<T: Field>(gradients: [&Gradient<T>; 4]) -> T {
 }
 
 fn residual_at_zero<T: Field>(at: [TopView<T>; 4]) -> T {
-    crate::check::Residual::eval(Concyclic, &at.map(|x| x.at_height(T::zero())), &T::one())
+    Concyclic.eval(&at.map(|x| x.at_height(T::zero())), &T::one())
 }
 
 /// The gradient of a face.
@@ -163,4 +165,90 @@ pub(super) fn inversion_and_addition<T: Field>(
     let unit = trial.accepted("a cylinder", CylindricalSphere::new(unit))?;
     let inversion = MoebiusTransformation::inversion_at_cylinder(&unit, &T::zero());
     Ok(inversion.then(&MoebiusTransformation::addition(&MoebiusSphere::from(sphere))))
+}
+
+/// Top views on a circle.
+pub(super) fn concyclic<T: Field>(
+    trial: &mut Trial<T>,
+    hypothesis: &'static str,
+) -> Result<Vec<TopView<T>>, Stop> {
+    let mut at = vec![free_top_view(trial), free_top_view(trial), free_top_view(trial)];
+    trial.parameter(CORNERS, &(&at[1] - &at[0]).det(&(&at[2] - &at[0])))?;
+    while at.len() < trial.size().max(4) {
+        at.push(on_circle(trial, hypothesis, [&at[0], &at[1], &at[2]])?);
+    }
+    Ok(at)
+}
+
+/// The points of a plane over top views.
+pub(super) fn over<T: Field>(plane: &Plane<T>, at: &[TopView<T>]) -> Vec<Point<T>> {
+    at.iter().map(|x| plane.point_at(x)).collect()
+}
+
+/// An i-circular net over a free square grid, with a free ratio in every face.
+pub(super) fn net<T: RationalField>(trial: &mut Trial<T>) -> Result<Mesh<T>, Stop> {
+    let n = trial.size();
+    let side = |trial: &mut Trial<T>, first: Point<T>| {
+        let mut side = vec![first];
+        side.extend((0..n).map(|_| trial.free_point()));
+        side
+    };
+    let corner = trial.free_point();
+    let (rows, columns) = (side(trial, corner.clone()), side(trial, corner));
+    // Between 1/3 and 1: then no edge has length 0 in the top view.
+    let ratio = |t: T| {
+        let square = t.square();
+        (&square + T::one()) / (square + T::from_i64(3))
+    };
+    let ratios: Vec<T> = (0..n * n).map(|_| ratio(trial.free())).collect();
+    let net = circular_net(&rows, &columns, |i, j| ratios[i * n + j].clone());
+    let Some(net) = net else { return Err(Stop::Excluded(CORNERS)) };
+    trial.accepted("a net", net)
+}
+
+/// A mesh of small integers, for counterexamples.
+pub(super) fn mesh_of(points: &[[i64; 3]], faces: &[&[u32]]) -> Result<Mesh<Rational>, String> {
+    let mut list = FaceList::new();
+    faces.iter().for_each(|face| list.push(face.iter().copied()));
+    let q = Rational::from_i64;
+    let points = points.iter().map(|&[x, y, z]| Point::new(q(x), q(y), q(z))).collect();
+    Mesh::new(points, list).map_err(|error| error.to_string())
+}
+
+/// The point where two touching circles touch.
+pub(super) fn contact<T: Field>(
+    a: &OrientedCircle<T>,
+    b: &OrientedCircle<T>,
+) -> Option<TopView<T>> {
+    let factor = a.radius.try_div(&(&a.radius + &b.radius))?;
+    Some(&a.centre + &(&b.centre - &a.centre).scaled(&factor))
+}
+
+/// The points of residuals that take radii as x-coordinates.
+pub(super) fn with_radii<T: Field, const N: usize>(
+    circles: &[&OrientedCircle<T>],
+) -> [Point<T>; N] {
+    let half = N / 2;
+    std::array::from_fn(|i| {
+        let OrientedCircle { centre, radius } = circles[i % half];
+        let top_view =
+            if i < half { centre.clone() } else { TopView::new(radius.clone(), T::zero()) };
+        top_view.at_height(T::zero())
+    })
+}
+
+/// Circles with a common denominator.
+pub(super) fn circles<const N: usize>(
+    of: [[i64; 3]; N],
+    unit: i64,
+) -> [OrientedCircle<Rational>; N] {
+    of.map(|[x, y, r]| {
+        let [x, y, radius] = [x, y, r].map(|n| Rational::from_ratio(n, unit));
+        OrientedCircle { centre: TopView::new(x, y), radius }
+    })
+}
+
+/// A free circle with a sign.
+pub(super) fn free_circle<T: Field>(trial: &mut Trial<T>) -> OrientedCircle<T> {
+    OrientedCircle { centre: free_top_view(trial), radius: trial.free() }
 }

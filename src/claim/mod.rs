@@ -14,8 +14,8 @@
 //! | `space` | 2.1 |
 //! | `laguerre` | 2.2 |
 //! | `parallel` | 3.1 |
-//! | `principal` | 3.2 |
-//! | `isothermic` | 3.4 |
+//! | `principal`, `i_circular`, `inscribed`, `i_conical`, `contact`, `remark_1` | 3.2 |
+//! | `koebe`, `isothermic`, `remark_2` | 3.4 |
 //! | `curvature`, `minimal`, `vertex` | 4 |
 
 use std::fmt;
@@ -32,8 +32,13 @@ mod sample;
 mod trial;
 mod verify;
 
+mod contact;
 mod curvature;
+mod i_circular;
+mod i_conical;
+mod inscribed;
 mod isothermic;
+mod koebe;
 mod laguerre;
 mod minimal;
 mod parallel;
@@ -41,8 +46,6 @@ mod principal;
 mod remark_1;
 mod remark_2;
 mod space;
-mod theorem_1;
-mod theorem_2;
 mod vertex;
 
 pub use control::{Control, Counterexample};
@@ -152,14 +155,17 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 12] = [
+const CHAPTERS: [&[Claim]; 15] = [
     space::CLAIMS,
     laguerre::CLAIMS,
     parallel::CLAIMS,
     principal::CLAIMS,
-    theorem_1::CLAIMS,
-    theorem_2::CLAIMS,
+    i_circular::CLAIMS,
+    inscribed::CLAIMS,
+    i_conical::CLAIMS,
+    contact::CLAIMS,
     remark_1::CLAIMS,
+    koebe::CLAIMS,
     isothermic::CLAIMS,
     remark_2::CLAIMS,
     curvature::CLAIMS,

@@ -1,9 +1,8 @@
 //! Sec. 3.2, Remark 1: conical meshes in Euclidean space, and i-M-transformations.
 
 use super::instance::{
-    CORNERS, free_plane, free_top_view, inversion_and_addition, on_circle, one_face,
+    CORNERS, free_plane, free_top_view, inversion_and_addition, net, on_circle, one_face,
 };
-use super::theorem_1::net;
 use super::{
     Claim, Control, Counterexample, Evidence, Experiment, Grade, Hypothesis, Identity, Run, Source,
     Stop, Trial,
