@@ -1,5 +1,7 @@
 //! Sec. 3.2, Theorem 1: the i-circular meshes, by their lift and by parallel inscribed quads.
 
+use std::array;
+
 use super::instance::{concyclic, free_plane, mesh_of, net, one_face, over};
 use super::{
     Claim, Control, Counterexample, Evidence, Experiment, Grade, Hypothesis, Identity, Run, Source,
@@ -18,10 +20,10 @@ use crate::space::{ParabolicSphere, Point, TopView, Vector3};
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "thm-1-v",
-        statement: "A planar mesh is i-circular iff its lift to Σ has planar faces: six times the volume \
-                    of four lifted points is half the in-circle determinant of their top views. Then \
-                    the lift is its only inscribed v-parallel mesh.",
-        formula: "2 det(lift) = in-circle determinant",
+        statement: "A planar mesh is i-circular iff its lift to Σ has planar faces: the in-circle \
+                    determinant of four top views is, up to its sign, twice the determinant of the lifted \
+                    points, six times their volume. Then the lift is the only inscribed v-parallel mesh.",
+        formula: "in-circle determinant = -2 det(s₁ - s₀, s₂ - s₀, s₃ - s₀)",
         source: Source::Paper("Sec. 3.2, Theorem 1"),
         hypotheses: &[Hypothesis::stated(CIRCULAR), Hypothesis::silent(NOT_VERTICAL)],
         said: Grade::Decided,
@@ -116,7 +118,7 @@ impl Identity for LiftedFace {
         let s = trial.made_mesh(pair.image().clone());
         for (p, x) in s.points.iter().zip(&at) {
             trial.equal("the same top view", &p.top_view().distance2(x), &T::zero());
-            trial.zero("on Σ", OnSigma.eval(&[p.clone()], &T::one()));
+            trial.zero("on Σ", OnSigma.eval(array::from_ref(p), &T::one()));
         }
         trial.exhibit("S", &s);
         Ok(())
@@ -130,7 +132,7 @@ impl Experiment for LiftedNet {
         let m = net(trial)?;
         let pair = trial.accepted("inscribed and v-parallel", inscribed_v_parallel(&m))?;
         for p in &pair.image().points {
-            trial.zero("on Σ", OnSigma.eval(&[p.clone()], &T::one()));
+            trial.zero("on Σ", OnSigma.eval(array::from_ref(p), &T::one()));
         }
         trial.exhibit("M", &m);
         Ok(())

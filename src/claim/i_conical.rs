@@ -129,7 +129,6 @@ impl Identity for DualPyramid {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
         let (height, p) = (trial.free(), sides(trial, None)?);
         let m = pyramid(trial, &height, &p)?;
-        trial.nonzero(NOT_VERTICAL, &height)?;
         let dual = trial.accepted("the dual", metric_dual(&m))?;
         let dual = trial.made_mesh(dual);
         let own = gradients(&m, NOT_VERTICAL)?;

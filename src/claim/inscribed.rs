@@ -1,5 +1,7 @@
 //! Sec. 3.2, Theorem 1: the inscribed meshes parallel to an i-circular one.
 
+use std::array;
+
 use super::instance::{
     CORNERS, concyclic, free_plane, free_top_view, incircle, mesh_of, net, one_face, over,
 };
@@ -150,7 +152,7 @@ impl Identity for ClosedFace {
         trial.accepted("with parallel edges", pair.parallel())?;
         let s = trial.made_mesh(pair.image().clone());
         for p in &s.points {
-            trial.zero("on Σ", OnSigma.eval(&[p.clone()], &T::one()));
+            trial.zero("on Σ", OnSigma.eval(array::from_ref(p), &T::one()));
             trial.equal("|s - g|", &p.top_view().distance2(&g), &start.distance2(&g));
         }
         let corners = std::array::from_fn(|i| s.points[i].clone());
@@ -198,7 +200,7 @@ impl Identity for StepOverEdge {
             }
         }
         for p in &s.points {
-            trial.zero("on Σ", OnSigma.eval(&[p.clone()], &T::one()));
+            trial.zero("on Σ", OnSigma.eval(array::from_ref(p), &T::one()));
         }
         Ok(())
     }
@@ -219,7 +221,7 @@ impl Experiment for InscribedNet {
         trial.accepted("with parallel edges", pair.parallel())?;
         let s = pair.image();
         for p in &s.points {
-            trial.zero("on Σ", OnSigma.eval(&[p.clone()], &T::one()));
+            trial.zero("on Σ", OnSigma.eval(array::from_ref(p), &T::one()));
         }
         for face in m.topology.faces() {
             let corners = s.topology.face(face);

@@ -156,15 +156,15 @@ pub(super) fn polygon_about<T: Field>(
     (0..parameters.len()).map(corner).collect()
 }
 
-/// The inversion at the unit cylinder, then the addition of a free i-M-sphere.
-pub(super) fn inversion_and_addition<T: Field>(
-    trial: &mut Trial<T>,
-) -> Result<MoebiusTransformation<T>, Stop> {
-    let sphere = [(); 4].map(|()| trial.free());
+/// The inversion at the unit cylinder, that at a free i-M-sphere, and the addition of this sphere:
+/// with what obviously keeps i-circles they generate the i-M-transformations.
+pub(super) fn generators<T: Field>(trial: &mut Trial<T>) -> Result<MoebiusTransformation<T>, Stop> {
+    let sphere = MoebiusSphere::from([(); 4].map(|()| trial.free()));
     let unit = Circle::new(TopView::new(T::zero(), T::zero()), T::one());
     let unit = trial.accepted("a cylinder", CylindricalSphere::new(unit))?;
     let inversion = MoebiusTransformation::inversion_at_cylinder(&unit, &T::zero());
-    Ok(inversion.then(&MoebiusTransformation::addition(&MoebiusSphere::from(sphere))))
+    let other = MoebiusTransformation::inversion_at(&sphere);
+    Ok(inversion.then(&other).then(&MoebiusTransformation::addition(&sphere)))
 }
 
 /// Top views on a circle.

@@ -1,5 +1,7 @@
 //! Sec. 3.4, Theorem 3: i-isothermic meshes.
 
+use std::array;
+
 use super::instance::{
     circles, contact, free_circle, free_plane, free_top_view, polygon_about, with_radii,
 };
@@ -89,7 +91,7 @@ impl Identity for EdgeInFace {
             trial.equal("the top view touches the incircle", &missed, &touches);
             for end in &ends {
                 let tangent2 = circle.power(&end.top_view());
-                let above = OnSigma.eval(&[end.clone()], &T::one());
+                let above = OnSigma.eval(array::from_ref(end), &T::one());
                 trial.equal("the circle of the contacts at a vertex", &tangent2, &-above);
             }
         }
@@ -132,14 +134,14 @@ impl Identity for TangentialFace {
         trial.equal("centre of the incircle", &found.centre.x, &circle.centre.x);
         trial.equal("centre of the incircle", &found.centre.y, &circle.centre.y);
         trial.equal("radius of the incircle", &found.radius, &circle.radius);
-        for j in 0..k {
+        for (j, parameter) in parameters.iter().enumerate() {
             let [one, next] = [j, (j + 1) % k].map(|j| &corners[j]);
             let residual = TouchingCircles.eval(&with_radii(&[one, next]), &T::one());
             trial.zero("the circles of an edge touch", residual);
             let ends = [j, (j + 1) % k].map(|j| s.points[j].clone());
             trial.zero("the edge touches Σ", EdgeTouchesSigma.eval(&ends, &T::one()));
             trial.zero("orthogonal to the incircle", one.orthogonality(&circle));
-            let ray = trial.accepted("a direction", Rotation::from_parameter(&parameters[j]))?;
+            let ray = trial.accepted("a direction", Rotation::from_parameter(parameter))?;
             let ray = Vector2::new(ray.cos() * &circle.radius, ray.sin() * &circle.radius);
             let expected = &circle.centre + &ray;
             let t = trial.accepted("a contact", contact(one, next).ok_or("none"))?;

@@ -1,5 +1,7 @@
 //! Sec. 3.4: the edges and vertices of Koebe meshes.
 
+use std::array;
+
 use super::instance::{circles, contact, free_circle, incircle, with_radii};
 use super::{
     Claim, Control, Counterexample, Evidence, Grade, Hypothesis, Identity, Run, Source, Trial,
@@ -111,7 +113,7 @@ impl Identity for TouchingPair {
         let at = &t + &across;
         let [a, b] = poles.each_ref().map(|pole| pole.dual().point_at(&at));
         trial.equal("the planes meet over the tangent", &a.z, &b.z);
-        let over = OnSigma.eval(&[a.clone()], &T::one());
+        let over = OnSigma.eval(array::from_ref(&a), &T::one());
         trial.equal("their line touches Σ", &over, &-across.length2());
         let ends = [a, poles[0].dual().point_at(&t)];
         trial.zero("their line as an edge", EdgeTouchesSigma.eval(&ends, &T::one()));

@@ -20,8 +20,8 @@ use crate::space::{Dual, Gradient, Plane, Point, Rotation, TopView, Vector2};
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-13-circular",
-        statement: "The sine of the sum of opposite angles of a quad, times its four sides, is the in-circle \
-                    determinant of the top view: the sums are multiples of π iff the corners are \
+        statement: "The sine of the sum of opposite angles of a quad, times its four sides, is, up to its sign, \
+                    the in-circle determinant of the top view: the sums are multiples of π iff the corners are \
                     concyclic or collinear. In an embedded convex quad they are π iff it is concyclic.",
         formula: "α₁ + α₃ = α₂ + α₄ = π",
         source: Source::Paper("Sec. 3.2, (13)"),

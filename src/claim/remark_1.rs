@@ -1,8 +1,6 @@
 //! Sec. 3.2, Remark 1: conical meshes in Euclidean space, and i-M-transformations.
 
-use super::instance::{
-    CORNERS, free_plane, free_top_view, inversion_and_addition, net, on_circle, one_face,
-};
+use super::instance::{CORNERS, free_plane, free_top_view, generators, net, on_circle, one_face};
 use super::{
     Claim, Control, Counterexample, Evidence, Experiment, Grade, Hypothesis, Identity, Run, Source,
     Stop, Trial,
@@ -34,7 +32,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
     said: Grade::Decided,
     argument: "Vertices of M are faces of its image and conversely, and planes through the vertex of one \
                cone are all that a conical vertex asks for. The inversion at the unit cylinder, \
-               additions of i-M-spheres and inversions at them generate, with i-motions and \
+               those at i-M-spheres and additions of these generate, with i-motions and \
                similarities, which keep i-circles obviously, all i-M-transformations. For larger faces \
                each corner is compared with the circle of three.",
     evidence: &[
@@ -115,7 +113,7 @@ struct MappedFace;
 impl Identity for MappedFace {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
         let (m, circle) = circular_face(trial)?;
-        let map = inversion_and_addition(trial)?;
+        let map = generators(trial)?;
         for p in &m.points {
             trial.nonzero(VERTEX_AT_CENTRE, &p.top_view().norm2())?;
         }
@@ -144,7 +142,7 @@ impl Identity for MappedCone {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
         let top_view = Circle::new(free_top_view(trial), trial.free());
         let circle = ICircle { plane: free_plane(trial), top_view };
-        let map = inversion_and_addition(trial)?;
+        let map = generators(trial)?;
         let power = circle.top_view.centre.norm2() - &circle.top_view.radius2;
         trial.nonzero(CIRCLE_THROUGH_CENTRE, &power)?;
         trial.nonzero(GREAT, &(T::one() + power))?;

@@ -1,6 +1,6 @@
 //! Sec. 3.4, Remark 2: the incircles of an i-isothermic mesh under i-M-transformations and under τ.
 
-use super::instance::{CORNERS, free_top_view, inversion_and_addition, polygon_about};
+use super::instance::{CORNERS, free_top_view, generators, polygon_about};
 use super::isothermic::koebe_net;
 use super::{
     Claim, Control, Counterexample, Evidence, Experiment, Grade, Hypothesis, Identity, Run, Source,
@@ -36,8 +36,9 @@ pub(super) const CLAIMS: &[Claim] = &[
         said: Grade::Decided,
         argument: "The incircles around a vertex of valence k arise from k contacts on its circle and k + 1 \
                    heights; a mesh is i-isothermic iff this holds around its vertices. For larger k each \
-                   face is compared with the first. The inversion at the unit cylinder and additions \
-                   generate, with what keeps i-circles obviously, all i-M-transformations.",
+                   face is compared with the first. The inversion at the unit cylinder, those at \
+                   i-M-spheres and additions of these generate, with what keeps i-circles \
+                   obviously, all i-M-transformations.",
         evidence: &[Evidence::identity::<MappedIncircles>(
             "the incircles around a vertex",
             &[3, 4],
@@ -157,7 +158,7 @@ struct MappedIncircles;
 impl Identity for MappedIncircles {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
         let around = Around::free(trial)?;
-        let (map, k) = (inversion_and_addition(trial)?, around.contacts.len());
+        let (map, k) = (generators(trial)?, around.contacts.len());
         trial.nonzero(VERTEX_CIRCLES, &power(&around.circle.circle()))?;
         let origin = TopView::new(T::zero(), T::zero());
         let vertex = trial.defined(VERTEX_CIRCLES, around.circle.inverted(&origin))?;
