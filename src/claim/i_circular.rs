@@ -64,9 +64,9 @@ pub(super) const CLAIMS: &[Claim] = &[
         source: Source::Paper("Sec. 3.2, Theorem 1"),
         hypotheses: &[Hypothesis::stated(INSCRIBED), Hypothesis::silent(NO_ZERO_EDGE)],
         said: Grade::Decided,
-        argument: "All quads parallel to the inscribed one arise from two free edges. If its second and \
-                   fourth corner, or its first and third, agree, the parallel quads are folded, too, and \
-                   have two equal corners or all on a line. Other faces: only quads are claimed.",
+        argument: "All quads parallel to the inscribed one arise from two free edges. If its first and \
+                   third corner agree, the parallel quads are folded, too, and have two equal corners or \
+                   all on a line. Other faces: only quads are claimed.",
         evidence: &[Evidence::identity::<ParallelToInscribed>("one quad", &[1], &[1])],
         controls: &[
             Control {
@@ -163,7 +163,7 @@ impl Identity for ParallelToInscribed {
             trial.nonzero(NO_ZERO_EDGE, &f.top_view().length2())?;
         }
         let det = f[2].top_view().det(&f[3].top_view());
-        trial.parameter("the third and the fifth corner differ from each other", &det)?;
+        trial.parameter("the first and the third corner differ", &det)?;
         // m₃ lies on the lines through m₂ and m₀.
         let second = &first + &scaled(&f[0], &factors[0]);
         let third = &second + &scaled(&f[1], &factors[1]);

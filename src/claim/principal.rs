@@ -92,8 +92,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         said: Grade::Decided,
         argument: "The planes of S touch Σ and pass through s: they are those of a cone of revolution. \
                    Conversely planes at a constant i-angle from that with the gradient s' have their \
-                   gradients on a circle. A closed pyramid has the planes of any vertex of valence 4 at \
-                   its apex, and no condition at its base.",
+                   gradients on a circle. Up to an i-motion a closed pyramid has the planes of any \
+                   vertex of valence 4 at its apex, and there is no condition at its base.",
         evidence: &[Evidence::identity::<ConeAtApex>("the apex of a pyramid", &[1], &[1])],
         controls: &[
             Control {
