@@ -25,8 +25,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         source: Source::Paper("Sec. 3.2, Theorem 2"),
         hypotheses: &[Hypothesis::silent(NOT_VERTICAL), Hypothesis::silent(NOT_COLLINEAR)],
         said: Grade::Decided,
-        argument: "A pyramid, here up to an i-motion, has an interior vertex of valence 4 and a face of 4 corners, and so has its \
-                   dual; duality is local, so the same holds at every vertex and face of any mesh, and \
+        argument: "A pyramid, here up to an i-motion, has an interior vertex of valence 4 and a face of 4 \
+                   corners, and so has its dual; duality is local, so the same holds at every vertex and face of any mesh, and \
                    for more corners three and each other one are compared.",
         evidence: &[
             Evidence::identity::<DualPyramid>("a pyramid, twice", &[1], &[1]),

@@ -36,8 +36,8 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
     said: Grade::Decided,
     argument: "A step is an involution that only depends on the edge. A face with 2n corners is cut into \
                    quads by the diagonals from one corner, and a step along a diagonal and back is none: \
-                   so it closes as its quads do; the gap is that of any quad up to an i-motion. With all faces closed every cycle of a simply connected \
-                   mesh closes; around a vertex nothing further is asked. The image of a face lies at \
+                   so it closes as its quads do; the gap is that of any quad up to an i-motion. With all \
+                   faces closed every cycle of a simply connected mesh closes; around a vertex nothing further is asked. The image of a face lies at \
                    the distance |x - g| from g, so an edge of it vanishes only where (g - x)·e = 0.",
     evidence: &[
         Evidence::identity::<StepsAroundQuad>("the gap of any quad", &[1], &[1]),

@@ -44,7 +44,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "eq-14-conical",
         statement: "With the jumps p_j - p_(j-1) = w_j J e_j of the gradients across the four edges of a \
                     vertex, their in-circle determinant is the product of the w_j and the balance \
-                    Im(e₀ e₂ / e₁ e₃): so the vertex is i-conical iff (14) holds modulo π. For edges \
+                    Im(e₀ e₂ conj(e₁ e₃)): so the vertex is i-conical iff (14) holds modulo π. For edges \
                     in cyclic order both sums are then π.",
         formula: "ω₁ + ω₃ = ω₂ + ω₄ = π",
         source: Source::Paper("Sec. 3.2, (14)"),
