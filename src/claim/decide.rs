@@ -121,7 +121,7 @@ impl Record {
             let mut shadows = Seed::of(SHADOWS).source(evidence.shows, attempt);
             let ((stopped, trial), program) = record(|| {
                 let draw = move || Symbol::unknown(shadows.shadow());
-                let mut trial = Trial::new(size, draw).forgetting(Symbol::forgotten);
+                let mut trial = Trial::new(size, draw).forgetting(|value| value.forgotten());
                 let stopped = run(&mut trial).err();
                 (stopped, trial)
             });

@@ -14,8 +14,8 @@
 //! | `motion`, `space`, `duality`, `moebius` | 2.1 |
 //! | `laguerre` | 2.2 |
 //! | `parallel`, `offset` | 3.1 |
-//! | `principal` | 3.2 |
-//! | `isothermic` | 3.4 |
+//! | `principal`, `i_circular`, `inscribed`, `i_conical`, `contact`, `remark_1` | 3.2 |
+//! | `koebe`, `isothermic`, `remark_2` | 3.4 |
 //! | `curvature`, `minkowski`, `minimal`, `vertex` | 4 |
 
 use std::fmt;
@@ -25,15 +25,21 @@ mod decide;
 mod draw;
 mod evidence;
 mod example;
+mod instance;
 mod ledger;
 mod mutant;
 mod sample;
 mod trial;
 mod verify;
 
+mod contact;
 mod curvature;
 mod duality;
+mod i_circular;
+mod i_conical;
+mod inscribed;
 mod isothermic;
+mod koebe;
 mod laguerre;
 mod minimal;
 mod minkowski;
@@ -42,6 +48,8 @@ mod motion;
 mod offset;
 mod parallel;
 mod principal;
+mod remark_1;
+mod remark_2;
 mod space;
 mod vertex;
 
@@ -164,7 +172,14 @@ const CHAPTERS: &[&[Claim]] = &[
     offset::edge::CLAIMS,
     offset::face::CLAIMS,
     principal::CLAIMS,
+    i_circular::CLAIMS,
+    inscribed::CLAIMS,
+    i_conical::CLAIMS,
+    contact::CLAIMS,
+    remark_1::CLAIMS,
+    koebe::CLAIMS,
     isothermic::CLAIMS,
+    remark_2::CLAIMS,
     curvature::CLAIMS,
     minkowski::CLAIMS,
     minimal::CLAIMS,
