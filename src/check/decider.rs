@@ -167,7 +167,7 @@ impl Decide for Decider<'_> {
         at: [VertexId; K],
     ) -> [Answer; N] {
         let local = self.store.local(&at, &[], Some(K));
-        let (balls, unit) = either!(&local, c => c.over(Integer::ball));
+        let balls = either!(&local, c => c.scaled());
         sums.map(|sum| {
             if !enclose(&sum.eval(&balls)).excludes_zero() {
                 let (integers, _) = either!(&local, c => c.over(Integer::big));
@@ -175,7 +175,7 @@ impl Decide for Decider<'_> {
                     return Answer::Zero;
                 }
             }
-            if self.roots_in_box(sum, &at, &balls, unit).is_some_and(|ball| !ball.excludes_zero()) {
+            if self.roots_in_box(sum, &at, &local).is_some_and(|ball| !ball.excludes_zero()) {
                 return Answer::InBox;
             }
             self.near(|| self.root_failure("", sum, at))
@@ -188,12 +188,12 @@ impl Decide for Decider<'_> {
         at: [VertexId; K],
     ) -> (Sign, bool) {
         let local = self.store.local(&at, &[], Some(K));
-        let (balls, unit) = either!(&local, c => c.over(Integer::ball));
+        let balls = either!(&local, c => c.scaled());
         let found = enclose(&sum.eval(&balls)).certain_sign().or_else(|| {
             let (integers, _) = either!(&local, c => c.over(Integer::big));
             sign(&sum.eval(&integers))
         });
-        let within = self.roots_in_box(sum, &at, &balls, unit);
+        let within = self.roots_in_box(sum, &at, &local);
         let certain = within.is_none_or(|ball| ball.excludes_zero());
         (found.unwrap_or(Sign::Zero), certain && found.is_some())
     }
@@ -234,11 +234,11 @@ impl Decider<'_> {
         &self,
         sum: impl RootSum<K, TERMS>,
         at: &[VertexId; K],
-        centres: &[Point<Ball<f64>>; K],
-        unit: Ball<f64>,
+        local: &Local<K>,
     ) -> Option<Ball<f64>> {
         let boxes = self.boxes_at(&[*at])?;
-        let (points, _) = variations(boxes, at, centres, unit, Some(K));
+        let (centres, unit) = either!(local, c => c.over(Integer::ball));
+        let (points, _) = variations(boxes, at, &centres, unit, Some(K));
         Some(enclose(&sum.eval(&points.map(|p| p.map(Variation::enclosure)))))
     }
 
