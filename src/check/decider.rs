@@ -6,9 +6,9 @@ use super::integers::Integer;
 use super::local::Local;
 use super::report::Failure;
 use super::residual::{Answer, Decide, Residual, RootSum};
-use super::roots::vanish;
+use super::roots::{sign, vanish};
 use crate::mesh::{ExactPoints, VertexId};
-use crate::scalar::{Ball, Numeral, Rational, Ring, Sign, Variation};
+use crate::scalar::{Ball, Numeral, Ordered, Rational, Ring, Sign, Variation};
 use crate::space::Point;
 
 /// Decides residuals exactly, whatever the size of the numbers, in integers as narrow as a bound
@@ -156,22 +156,46 @@ impl Decide for Decider<'_> {
         sum: impl RootSum<K, TERMS>,
         at: [VertexId; K],
     ) -> Answer {
+        let [answer] = self.decide_each_roots([sum], at);
+        answer
+    }
+
+    /// Denominators are cleared once.
+    fn decide_each_roots<const K: usize, const TERMS: usize, const N: usize>(
+        &self,
+        sums: [impl RootSum<K, TERMS>; N],
+        at: [VertexId; K],
+    ) -> [Answer; N] {
         let local = self.store.local(&at, &[], Some(K));
-        let (balls, unit) = either!(&local, c => c.over(Integer::ball));
-        if !enclose(&sum.eval(&balls)).excludes_zero() {
-            let (integers, _) = either!(&local, c => c.over(Integer::big));
-            if vanish(&sum.eval(&integers)) == Some(true) {
-                return Answer::Zero;
+        let balls = either!(&local, c => c.scaled());
+        sums.map(|sum| {
+            if !enclose(&sum.eval(&balls)).excludes_zero() {
+                let (integers, _) = either!(&local, c => c.over(Integer::big));
+                if vanish(&sum.eval(&integers)) == Some(true) {
+                    return Answer::Zero;
+                }
             }
-        }
-        if let Some(boxes) = self.boxes_at(&[at]) {
-            let (points, _) = variations(boxes, &at, &balls, unit, Some(K));
-            let widened = points.map(|p| p.map(Variation::enclosure));
-            if !enclose(&sum.eval(&widened)).excludes_zero() {
+            if self.roots_in_box(sum, &at, &local).is_some_and(|ball| !ball.excludes_zero()) {
                 return Answer::InBox;
             }
-        }
-        self.near(|| self.root_failure("", sum, at))
+            self.near(|| self.root_failure("", sum, at))
+        })
+    }
+
+    fn sign_of_roots<const K: usize, const TERMS: usize>(
+        &self,
+        sum: impl RootSum<K, TERMS>,
+        at: [VertexId; K],
+    ) -> (Sign, bool) {
+        let local = self.store.local(&at, &[], Some(K));
+        let balls = either!(&local, c => c.scaled());
+        let found = enclose(&sum.eval(&balls)).certain_sign().or_else(|| {
+            let (integers, _) = either!(&local, c => c.over(Integer::big));
+            sign(&sum.eval(&integers))
+        });
+        let within = self.roots_in_box(sum, &at, &local);
+        let certain = within.is_none_or(|ball| ball.excludes_zero());
+        (found.unwrap_or(Sign::Zero), certain && found.is_some())
     }
 
     fn same_top_view(&self, a: VertexId, b: VertexId) -> bool {
@@ -205,6 +229,19 @@ impl Decide for Decider<'_> {
 }
 
 impl Decider<'_> {
+    /// What the sum of roots can be within the boxes, if there are boxes.
+    fn roots_in_box<const K: usize, const TERMS: usize>(
+        &self,
+        sum: impl RootSum<K, TERMS>,
+        at: &[VertexId; K],
+        local: &Local<K>,
+    ) -> Option<Ball<f64>> {
+        let boxes = self.boxes_at(&[*at])?;
+        let (centres, unit) = either!(local, c => c.over(Integer::ball));
+        let (points, _) = variations(boxes, at, &centres, unit, Some(K));
+        Some(enclose(&sum.eval(&points.map(|p| p.map(Variation::enclosure)))))
+    }
+
     #[inline]
     fn sign_of<const K: usize, R: Residual<K>>(
         &self,

@@ -17,6 +17,9 @@ pub(super) trait Integer: Clone {
     fn ball(&self) -> Ball<f64>;
     fn residue<const W: usize>(&self) -> Residue<W>;
     fn big(&self) -> BigInt;
+    fn bits(&self) -> u64;
+    /// The integer over 2^bits, which is larger.
+    fn ball_over(&self, bits: u64) -> Ball<f64>;
     fn minus(&self, other: &Self) -> Self;
 }
 
@@ -38,6 +41,17 @@ impl Integer for i128 {
         BigInt::from(*self)
     }
 
+    fn bits(&self) -> u64 {
+        u64::from(i128::BITS - self.unsigned_abs().leading_zeros())
+    }
+
+    /// Exact, as only the exponent changes.
+    fn ball_over(&self, bits: u64) -> Ball<f64> {
+        let Ball { mid, radius } = self.ball();
+        let scale = f64::powi(0.5, bits.min(127) as i32);
+        Ball { mid: mid * scale, radius: radius * scale }
+    }
+
     /// Coordinates have at most 126 bits, so nothing overflows.
     #[inline]
     fn minus(&self, other: &i128) -> i128 {
@@ -57,6 +71,21 @@ impl Integer for BigInt {
 
     fn big(&self) -> BigInt {
         self.clone()
+    }
+
+    fn bits(&self) -> u64 {
+        self.bits()
+    }
+
+    /// Its first 64 bits.
+    fn ball_over(&self, bits: u64) -> Ball<f64> {
+        let cut = self.bits().saturating_sub(64);
+        let exponent = bits.saturating_sub(cut);
+        if exponent > 900 {
+            return Ball { mid: 0.0, radius: f64::powi(0.5, 800) };
+        }
+        let mid = (self >> cut).to_f64() * f64::powi(0.5, exponent as i32);
+        Ball { mid, radius: mid.abs() * 2.0 * f64::EPSILON }
     }
 
     fn minus(&self, other: &BigInt) -> BigInt {
@@ -105,6 +134,17 @@ impl<I: Integer, const K: usize> Cleared<I, K> {
         })
     }
 
+    /// The points divided by a power of 2, so that their coordinates are at most 1.
+    pub fn scaled(&self) -> [Point<Ball<f64>>; K] {
+        let largest = self.largest();
+        self.points.each_ref().map(|p| p.map(|i| i.ball_over(largest)))
+    }
+
+    /// The number of bits of the largest coordinate.
+    fn largest(&self) -> u64 {
+        self.points.iter().flat_map(|p| p.coordinates()).map(I::bits).max().unwrap_or(0)
+    }
+
     /// The exact sign of the residual.
     #[inline]
     pub fn sign(&self, residual: impl Residual<K>) -> Sign {
@@ -130,9 +170,7 @@ impl<I: Integer, const K: usize> Cleared<I, K> {
 
     /// The same for a sum of roots, in doubles; coordinates are divided by the largest first.
     pub fn root_defect<const TERMS: usize>(&self, sum: impl RootSum<K, TERMS>) -> f64 {
-        let bits = |i: &I| i.big().bits();
-        let largest = self.points.iter().flat_map(|p| p.coordinates()).map(bits).max().unwrap_or(0);
-        let unit = BigInt::one() << largest;
+        let unit = BigInt::one() << self.largest();
         let (points, _) = self.over(|i| ratio_to_f64(&i.big(), &unit));
         let value: f64 = sum.eval(&points).iter().map(|(c, q)| c * q.sqrt()).sum();
         let sizes = points.map(|p| p.map(Magnitude::of));

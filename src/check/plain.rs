@@ -2,7 +2,7 @@
 
 use super::report::Failure;
 use super::residual::{Answer, Decide, Residual, RootSum};
-use super::roots::vanish_over;
+use super::roots::{sign_over, vanish_over};
 use crate::mesh::VertexId;
 use crate::scalar::{Magnitude, Ordered, RationalField, Ring, Sign};
 use crate::space::Point;
@@ -122,6 +122,15 @@ impl<Q: RationalField> Decide for Plain<'_, Q> {
         }
     }
 
+    fn sign_of_roots<const K: usize, const TERMS: usize>(
+        &self,
+        sum: impl RootSum<K, TERMS>,
+        v: [VertexId; K],
+    ) -> (Sign, bool) {
+        let sign = sign_over(&sum.eval(&at(self.0, v)));
+        (sign.unwrap_or(Sign::Zero), sign.is_some())
+    }
+
     fn same_top_view(&self, a: VertexId, b: VertexId) -> bool {
         self.0[a.index()].is_parallel_to(&self.0[b.index()])
     }
@@ -184,6 +193,16 @@ impl Decide for Observed<'_> {
         v: [VertexId; K],
     ) -> Answer {
         self.near(self.root_failure("", sum, v))
+    }
+
+    fn sign_of_roots<const K: usize, const TERMS: usize>(
+        &self,
+        sum: impl RootSum<K, TERMS>,
+        v: [VertexId; K],
+    ) -> (Sign, bool) {
+        let terms = sum.eval(&at(self.points, v));
+        let value: f64 = terms.iter().map(|(c, q)| c * q.sqrt()).sum();
+        (value.certain_sign().unwrap_or(Sign::Zero), false)
     }
 
     fn same_top_view(&self, a: VertexId, b: VertexId) -> bool {

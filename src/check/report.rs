@@ -64,6 +64,12 @@ pub enum Reason {
     FlatVertex(VertexId),
     /// An edge at the vertex has length zero, and so no direction.
     PointEdge(VertexId),
+    /// The two edges at the vertex lie on a line.
+    StraightVertex(VertexId),
+    /// Vertices with two edges separate others of the face.
+    LooseFace(FaceId),
+    /// A search for cones that fit together, from this vertex on, was given up.
+    ManyCones(VertexId),
 }
 
 impl fmt::Display for Reason {
@@ -104,6 +110,15 @@ impl fmt::Display for Reason {
             Reason::HighValence => write!(f, "more than 16 faces meet there"),
             Reason::FlatVertex(v) => write!(f, "the edges at vertex {} lie in a plane", v.0),
             Reason::PointEdge(v) => write!(f, "an edge at vertex {} has length zero", v.0),
+            Reason::StraightVertex(v) => {
+                write!(f, "the two edges at vertex {} lie on a line", v.0)
+            }
+            Reason::LooseFace(face) => {
+                write!(f, "vertices with two edges separate others of face {}", face.0)
+            }
+            Reason::ManyCones(v) => {
+                write!(f, "no cones that fit together were found from vertex {} on", v.0)
+            }
             Reason::NotConvex => write!(
                 f,
                 "the top view is no disc with a convex boundary here, so that edges alone do not decide"

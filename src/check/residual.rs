@@ -84,6 +84,22 @@ pub trait Decide: Sync {
         at: [VertexId; K],
     ) -> Answer;
 
+    /// Whether each of several sums of roots vanishes.
+    fn decide_each_roots<const K: usize, const TERMS: usize, const N: usize>(
+        &self,
+        sums: [impl RootSum<K, TERMS>; N],
+        at: [VertexId; K],
+    ) -> [Answer; N] {
+        sums.map(|sum| self.decide_roots(sum, at))
+    }
+
+    /// The sign of the sum of roots as printed, and whether it is the same in the whole box.
+    fn sign_of_roots<const K: usize, const TERMS: usize>(
+        &self,
+        sum: impl RootSum<K, TERMS>,
+        at: [VertexId; K],
+    ) -> (Sign, bool);
+
     /// Whether two vertices have the same top view as printed.
     fn same_top_view(&self, a: VertexId, b: VertexId) -> bool;
 

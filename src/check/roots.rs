@@ -1,9 +1,9 @@
-//! Sums of square roots of rational numbers: whether they vanish, exactly.
+//! Sums of square roots of rational numbers: whether they vanish, and their signs, exactly.
 
 use num_bigint::BigInt;
 use num_traits::Signed;
 
-use crate::scalar::{RationalField, Ring};
+use crate::scalar::{RationalField, Ring, Sign};
 
 /// Whether `Σ cᵢ √qᵢ = 0`, decided exactly; `None` if some `qᵢ` is negative.
 ///
@@ -33,8 +33,38 @@ pub(super) fn vanish(terms: &[(BigInt, BigInt)]) -> Option<bool> {
     Some(classes.iter().all(|(_, sum)| sum.is_zero()))
 }
 
-/// The same for rational terms: a common denominator is cleared, which does not change the answer.
+/// The sign of `Σ cᵢ √qᵢ`, exactly; `None` if some `qᵢ` is negative.
+pub(super) fn sign(terms: &[(BigInt, BigInt)]) -> Option<Sign> {
+    if vanish(terms)? {
+        return Some(Sign::Zero);
+    }
+    let (limit, mut bits) = (BigInt::from(terms.len()), 64u32);
+    loop {
+        // Every term times 2^bits is cut by less than 1; since the sum is not zero, this ends.
+        let term = |(c, q): &(BigInt, BigInt)| {
+            let size = ((c * c * q) << (2 * bits)).sqrt();
+            if c.is_negative() { -size } else { size }
+        };
+        let sum: BigInt = terms.iter().map(term).sum();
+        if sum.abs() > limit {
+            return Some(if sum.is_negative() { Sign::Negative } else { Sign::Positive });
+        }
+        bits *= 2;
+    }
+}
+
+/// Whether a sum with rational terms vanishes.
 pub(super) fn vanish_over<Q: RationalField>(terms: &[(Q, Q)]) -> Option<bool> {
+    vanish(&cleared(terms))
+}
+
+/// The sign of a sum with rational terms.
+pub(super) fn sign_over<Q: RationalField>(terms: &[(Q, Q)]) -> Option<Sign> {
+    sign(&cleared(terms))
+}
+
+/// The sum times a common denominator.
+fn cleared<Q: RationalField>(terms: &[(Q, Q)]) -> Vec<(BigInt, BigInt)> {
     let cleared: Vec<_> = terms
         .iter()
         .map(|(c, q)| {
@@ -45,8 +75,7 @@ pub(super) fn vanish_over<Q: RationalField>(terms: &[(Q, Q)]) -> Option<bool> {
         .collect();
     let common =
         cleared.iter().fold(BigInt::one(), |all, (_, d, _)| num_integer::lcm(all, d.clone()));
-    let terms: Vec<_> = cleared.into_iter().map(|(c, d, q)| (c * (&common / d), q)).collect();
-    vanish(&terms)
+    cleared.into_iter().map(|(c, d, q)| (c * (&common / d), q)).collect()
 }
 
 #[cfg(test)]
@@ -69,11 +98,24 @@ mod tests {
     }
 
     #[test]
+    fn signs_are_found_at_any_precision() {
+        assert_eq!(sign(&terms(&[(3, 2), (1, 8), (-5, 2)])), Some(Sign::Zero));
+        assert_eq!(sign(&terms(&[(1, 2), (1, 3), (-1, 10)])), Some(Sign::Negative));
+        assert_eq!(sign(&terms(&[(1, -1)])), None);
+        // √(n² + 1) − n is about 1/(2n).
+        let n: BigInt = BigInt::one() << 200;
+        let near = [(BigInt::one(), &n * &n + 1u32), (-n, BigInt::one())];
+        assert_eq!(sign(&near), Some(Sign::Positive));
+    }
+
+    #[test]
     fn rational_terms_are_cleared_first() {
         use crate::scalar::{BigRational, Field};
         let q = |p, d| BigRational::from_ratio(p, d);
         // ½ √(1/2) − ¼ √2 = 0.
         assert_eq!(vanish_over(&[(q(1, 2), q(1, 2)), (q(-1, 4), q(2, 1))]), Some(true));
         assert_eq!(vanish_over(&[(q(1, 2), q(1, 2)), (q(-1, 3), q(2, 1))]), Some(false));
+        let negative = Some(Sign::Negative);
+        assert_eq!(sign_over(&[(q(1, 2), q(1, 2)), (q(-1, 3), q(2, 1))]), negative);
     }
 }

@@ -298,6 +298,17 @@ impl Topology {
         if self.origin(found) == a { Some(found) } else { self.twin(found).or(Some(found)) }
     }
 
+    /// The other ends of all edges at a vertex, pinched or not, in ascending order.
+    pub fn neighbours(&self, v: VertexId) -> Vec<VertexId> {
+        let ends = self
+            .around(v)
+            .map(|h| if self.origin(h) == v { self.target(h) } else { self.origin(h) });
+        let mut ends: Vec<VertexId> = ends.collect();
+        ends.sort_unstable();
+        ends.dedup();
+        ends
+    }
+
     /// All half-edges that start or end at a vertex, pinched or not.
     fn around(&self, v: VertexId) -> impl Iterator<Item = HalfEdge> + '_ {
         let pinched = self.kind(v) == VertexKind::Pinched;

@@ -1,32 +1,49 @@
-//! Edge-offset meshes of Euclidean space (Remark 2): planar meshes that are parallel to one whose edges
-//! touch the unit sphere.
+//! Edge-offset meshes of Euclidean space (Remark 2): planar meshes M that are parallel to a mesh S whose
+//! edges touch the unit sphere.
 //!
-//! Let S be that mesh and s its vertex that belongs to v. The lines through s in the directions of
-//! the edges `e_j` at v touch the unit sphere, so `(s·e_j)² = (|s|² − 1) |e_j|²`: with signs
-//! `ε_j = ±1` and a multiple a of s, `a·e_j = ε_j |e_j|`. Three independent edges determine a for given
-//! signs; always `|a| > 1`, and `s = ±a/√(|a|² − 1)` is real. What is tested are, exactly,
+//! An edge of S may have length 0; its line is then the one through its ends in the direction of
+//! the edge of M. So S is a point s for every vertex such that the lines through the points at both
+//! ends of an edge e, in the direction of e, are one line that touches the sphere: one *point of contact*
+//! p with `|p| = 1` and `p·e = 0`. Faces of S are planar if those of M are.
 //!
-//! - faces: they are planar;
-//! - vertices with more than three edges: for some signs they have a common a, that is, the edges as
-//!   *lines* lie on a cone of revolution with that axis ([`EdgesOnCone`]). Not as rays: at a saddle
-//!   the dual of a mesh turns every other edge;
-//! - edges: the axes at both ends lie in a plane with the edge ([`CoplanarAxes`]), so that both ask for the
-//!   same point of contact. An edge fails also where an end has no cone.
+//! *At a vertex* with the edges `e_j` the lines touch iff `(s·e_j)² = (|s|² − 1) |e_j|²`. With the multiple
+//! `a = s/√(|s|² − 1)` this says `a·e_j = ε_j |e_j|` for signs `ε_j = ±1`: the edges as *lines* lie on a cone of
+//! revolution with the axis a. Not as rays: at a saddle the dual of a mesh turns every other edge. If
+//! the edges do not lie in a plane, three of them with their signs determine a, and `|a| > 1`; so there are
+//! up to four cones, and for each a and −a, which give s and −s. The other edges decide which cones there are
+//! ([`EdgesOnCone`]).
 //!
-//! All three are necessary. They suffice if M is simply connected, no vertex has more than one such
-//! cone, and no face plane of S passes through the centre: around a face the points of contact then agree
-//! with their signs. Cones alone do not suffice, unlike planes of a conical mesh. Where edges are
-//! symmetric, or only three, several choices of signs may have a cone, and every edge is content
-//! with one of them by itself: that they fit together is not asked.
+//! *At an edge* between two such vertices, with the axes a and b, the point of contact seen from
+//! the one end is `a⊥/|a⊥|`, where a⊥ is the part of a orthogonal to e, and `|a⊥|² = |a|² − 1 > 0`. Both ends see
+//! the same iff b⊥ is a positive multiple of a⊥: the axes lie in a plane with the edge
+//! ([`CoplanarAxes`]), and `(e×a)·(e×b) > 0` ([`SameSide`]). Without the latter they see antipodes.
 //!
-//! Vertices on the boundary count as well, by the edges that they have; with two edges they, and with them
-//! their edges, are free. Undefined are vertices whose edges lie in a plane or of which one has
-//! length 0, and edges at them. Pinched vertices are left out.
+//! *A vertex with two edges* that do not lie on a line has no cone of its own. The lines of its edges,
+//! if they are known, lie in the plane of the face of S, and meet there. A chain of such vertices has free
+//! edges; in that plane, which meets the sphere, there are tangents of any direction. But
+//! vertices with cones that such chains separate within a face know nothing of each other, and
+//! whether their face planes agree is not asked: that face is undecided.
+//!
+//! So S exists iff faces are planar and at every vertex with three edges or more an axis can be
+//! *chosen*, one of up to eight, such that both conditions hold along every edge. This takes care
+//! of symmetric stars, of loops around holes and handles, and of face planes through the centre. Tested
+//! are, exactly, all elements by themselves: faces, vertices (is there a cone), edges (do any two cones
+//! fit); then, for each component where all are content, whether there is a joint choice,
+//! [found by trial](super::choice). If there is none, a vertex fails; if the search is given up, it is
+//! undecided. Over boxes the search goes by what is possible at each element by itself.
+//!
+//! Vertices on the boundary and pinched ones count like others. Undefined are vertices with three
+//! edges or more that lie in a plane, with two on a line or one of length 0, and edges at them.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
 
 use super::Judge;
+use super::choice::{Choices, Found, Link, Search, components};
 use super::planar::{self, Coplanar, ProjectedArea};
 use crate::check::{Answer, Decide, Element, Failure, Outcome, Reason, RootSum};
-use crate::mesh::{Topology, VertexId, VertexKind};
+use crate::mesh::{FaceId, Topology, VertexId, VertexKind};
 use crate::scalar::{Ring, Sign};
 use crate::space::{Point, Vector3};
 
@@ -67,14 +84,39 @@ pub struct CoplanarAxes {
 impl RootSum<8, 9> for CoplanarAxes {
     fn eval<R: Ring>(self, [v, w, a @ .., b0, b1, b2]: &[Point<R>; 8]) -> [(R, R); 9] {
         let along = w - v;
-        let [first, second] = self.turned;
-        let a = axis([0, 1, 2].map(|j| &a[j] - v), first);
-        let b = axis([b0, b1, b2].map(|x| x - w), second);
-        std::array::from_fn(|i| {
-            let ((m, p), (n, q)) = (&a[i / 3], &b[i % 3]);
-            (Vector3::det(&along, m, n), p.clone() * q)
-        })
+        let ends = [(v, a.each_ref()), (w, [b0, b1, b2])];
+        axes(ends, self.turned, |m, n| Vector3::det(&along, m, n))
     }
+}
+
+/// `(e×a)·(e×b)` for an edge and the axes at its ends, of the same points as [`CoplanarAxes`]: where that is
+/// zero, the sign tells whether the axes lie on the same side of the edge, provided the three edges of
+/// either have the same orientation. It is never zero then.
+#[derive(Clone, Copy, Debug)]
+pub struct SameSide {
+    /// At each end, which of the second and third edges have another sign than the first.
+    pub turned: [[bool; 2]; 2],
+}
+
+impl RootSum<8, 9> for SameSide {
+    fn eval<R: Ring>(self, [v, w, a @ .., b0, b1, b2]: &[Point<R>; 8]) -> [(R, R); 9] {
+        let along = w - v;
+        let ends = [(v, a.each_ref()), (w, [b0, b1, b2])];
+        axes(ends, self.turned, |m, n| along.cross(m).dot(&along.cross(n)))
+    }
+}
+
+/// A bilinear form of the axes at two points, each by three edges to others with signs.
+fn axes<R: Ring>(
+    [(v, a), (w, b)]: [(&Point<R>, [&Point<R>; 3]); 2],
+    [first, second]: [[bool; 2]; 2],
+    form: impl Fn(&Vector3<R>, &Vector3<R>) -> R,
+) -> [(R, R); 9] {
+    let (a, b) = (axis(a.map(|x| x - v), first), axis(b.map(|x| x - w), second));
+    std::array::from_fn(|i| {
+        let ((m, p), (n, q)) = (&a[i / 3], &b[i % 3]);
+        (form(m, n), p.clone() * q)
+    })
 }
 
 /// The terms `ε_j e_k × e_l` of an axis and the squares of their factors `|e_j|`.
@@ -89,28 +131,32 @@ fn axis<R: Ring>(e: [Vector3<R>; 3], [second, third]: [bool; 2]) -> [(Vector3<R>
 /// The signs of three edges, up to a common one.
 const SIGNS: [[bool; 2]; 4] = [[false, false], [false, true], [true, false], [true, true]];
 
-/// The faces, the vertices that are not pinched, and the edges.
+/// The faces, the vertices that are not isolated, and the edges.
 pub(super) fn elements(topology: &Topology) -> Vec<Element> {
-    let whole =
-        |&v: &VertexId| matches!(topology.kind(v), VertexKind::Interior | VertexKind::Boundary);
-    let edges = topology.edges().map(|h| (topology.origin(h), topology.target(h)));
-    let edges = edges.filter(|(a, b)| whole(a) && whole(b)).map(|(a, b)| Element::Edge(a, b));
-    let vertices = topology.vertices().filter(whole).map(Element::Vertex);
+    let used = |&v: &VertexId| topology.kind(v) != VertexKind::Isolated;
+    let edges = topology.edges().map(|h| Element::Edge(topology.origin(h), topology.target(h)));
+    let vertices = topology.vertices().filter(used).map(Element::Vertex);
     topology.faces().map(Element::Face).chain(vertices).chain(edges).collect()
 }
 
 pub(super) fn outcome<D: Decide>(judge: &Judge<'_, D>, element: Element) -> Outcome<D::Value> {
+    let Some(axes) = judge.net.axes.get() else {
+        return Outcome::Undecided;
+    };
     match element {
-        Element::Face(face) => planar::outcome(judge, face),
-        Element::Vertex(v) => at_vertex(judge, v),
-        Element::Edge(a, b) => at_edge(judge, a, b),
+        Element::Face(face) => at_face(judge, axes, face),
+        Element::Vertex(v) => at_vertex(axes, v),
+        Element::Edge(a, b) => at_edge(judge, axes, [a, b]),
     }
 }
 
 /// The edges at a vertex: three that are independent, and the others.
 #[derive(Clone, Debug)]
-pub(super) struct Cones {
+struct Cones {
+    /// Their determinant is positive.
     base: [VertexId; 3],
+    /// Whether it is in the whole box.
+    oriented: bool,
     others: Vec<VertexId>,
     /// For each choice of [`SIGNS`] whether the others fit.
     fits: [Answer; 4],
@@ -118,53 +164,175 @@ pub(super) struct Cones {
     defect: f64,
 }
 
-/// The cones at a vertex, which has them of its choice if it has two edges; or why it has none.
-pub(super) type AtVertex = Result<Option<Cones>, Reason>;
+/// For the cones at both ends of an edge, and the axes as they are or one of them turned over, whether
+/// both see the same point of contact.
+type Contact = [[[Answer; 2]; 4]; 4];
+
+/// What is known of the cones of a mesh.
+#[derive(Debug)]
+pub(super) struct Axes {
+    /// The cones at each vertex, which has them of its choice if it has two edges; or why it has none.
+    cones: Vec<Result<Option<Cones>, Reason>>,
+    /// The edges between vertices with cones, in ascending order.
+    contacts: Vec<([VertexId; 2], Contact)>,
+    /// Vertices at which it was seen how well the cones of a component fit together, if that is not
+    /// as well as its elements do.
+    joint: BTreeMap<VertexId, Result<Answer, Reason>>,
+}
+
+impl Axes {
+    /// All that is to know.
+    pub fn find<D: Decide>(topology: &Topology, decide: &D) -> Self {
+        let vertices = 0..topology.vertex_count() as u32;
+        let at = |v| cones(topology, decide, VertexId(v));
+        let cones: Vec<_> = vertices.into_par_iter().map(at).collect();
+        let edges: Vec<_> =
+            topology.edges().map(|h| [topology.origin(h), topology.target(h)]).collect();
+        let contact = |&ends: &[VertexId; 2]| match ends.map(|v| &cones[v.index()]) {
+            [Ok(Some(a)), Ok(Some(b))] => Some((ends, contact(decide, ends, [a, b]))),
+            _ => None,
+        };
+        let mut contacts: Vec<_> = edges.par_iter().filter_map(contact).collect();
+        contacts.sort_unstable_by_key(|(ends, _)| *ends);
+        let mut axes = Axes { cones, contacts, joint: BTreeMap::new() };
+        axes.join();
+        axes
+    }
+
+    /// Looks for joint choices.
+    fn join(&mut self) {
+        let ends: Vec<_> =
+            self.contacts.iter().map(|(ends, _)| ends.map(VertexId::index)).collect();
+        let best = |cones: &Result<Option<Cones>, _>| match cones {
+            Ok(Some(cones)) => cones.best(),
+            _ => Answer::Zero,
+        };
+        let mut worst: Vec<Answer> = self.cones.iter().map(best).collect();
+        for (ends, (_, contact)) in ends.iter().zip(&self.contacts) {
+            ends.iter().for_each(|&v| worst[v] = worst[v].max(least(contact)));
+        }
+        let mut searches = [const { None }; 3];
+        for component in components(&self.choices(Answer::Near), &ends) {
+            let own = component.iter().map(|&v| worst[v]).max().unwrap_or(Answer::Zero);
+            let (mut seen_at, mut joint) = (component[0], Ok(Answer::Nonzero));
+            for (level, search) in LEVELS.into_iter().zip(&mut searches) {
+                if level < own {
+                    continue;
+                }
+                let search = search.get_or_insert_with(|| self.search(level));
+                match search.run(&component) {
+                    Found::Fitting => joint = Ok(level),
+                    Found::Nothing(v) => {
+                        seen_at = v;
+                        continue;
+                    }
+                    Found::Lost(v) => joint = Err(Reason::ManyCones(VertexId(v as u32))),
+                }
+                break;
+            }
+            if joint != Ok(own) {
+                self.joint.insert(VertexId(seen_at as u32), joint);
+            }
+        }
+    }
+
+    /// The search among what is no worse than `level`.
+    fn search(&self, level: Answer) -> Search {
+        let link = |&(ends, contact): &([VertexId; 2], Contact)| {
+            let fits = |c: usize, d: usize, turned| contact[c][d][usize::from(turned)] <= level;
+            Link::new(ends.map(VertexId::index), fits)
+        };
+        Search::new(self.choices(level), self.contacts.iter().map(link).collect())
+    }
+
+    /// The cones at each vertex that are no worse than `level`, each with both axes.
+    fn choices(&self, level: Answer) -> Vec<Choices> {
+        let choices = |cones: &Result<Option<Cones>, _>| match cones {
+            Ok(Some(Cones { fits, .. })) => {
+                let bit = |c: usize| if fits[c] <= level { 0x11 << c } else { 0 };
+                (0..4).map(bit).fold(0, |all, bit| all | bit)
+            }
+            _ => 0,
+        };
+        self.cones.iter().map(choices).collect()
+    }
+}
+
+/// All answers but no.
+const LEVELS: [Answer; 3] = [Answer::Zero, Answer::InBox, Answer::Near];
+
+/// The answer for the cones that fit best.
+fn least(contact: &Contact) -> Answer {
+    contact.iter().flatten().flatten().copied().min().unwrap_or(Answer::Nonzero)
+}
 
 /// The cones of edges at a vertex.
-pub(super) fn cones<D: Decide>(topology: &Topology, decide: &D, v: VertexId) -> AtVertex {
-    let mut others = neighbours(topology, v);
-    if others.len() < 3 {
-        return Ok(None);
-    }
+fn cones<D: Decide>(topology: &Topology, decide: &D, v: VertexId) -> Result<Option<Cones>, Reason> {
+    let mut others = topology.neighbours(v);
     if others.iter().any(|&x| decide.same_point(v, x)) {
         return Err(Reason::PointEdge(v));
     }
-    let base = independent(decide, v, &others).ok_or(Reason::FlatVertex(v))?;
+    if let [a, b] = *others {
+        return if spans(decide, [v, a, b]) { Ok(None) } else { Err(Reason::StraightVertex(v)) };
+    }
+    if others.is_empty() {
+        return Ok(None);
+    }
+    let (base, oriented) = independent(decide, v, &others).ok_or(Reason::FlatVertex(v))?;
     others.retain(|x| !base.contains(x));
-    let mut cones = Cones { base, others, fits: [Answer::Zero; 4], defect: 0.0 };
-    cones.fits = SIGNS.map(|signs| {
-        let fit = |pair: [(EdgesOnCone, [VertexId; 5]); 2]| {
-            pair.into_iter().map(|(sum, at)| decide.decide_roots(sum, at)).min()
-        };
-        cones.places(v, signs).filter_map(fit).max().unwrap_or(Answer::Zero)
-    });
+    let mut cones = Cones { base, oriented, others, fits: [Answer::Zero; 4], defect: 0.0 };
+    for (sums, at) in cones.places(v) {
+        let found = decide.decide_each_roots(sums, at);
+        let either = found.chunks(2).map(|pair| pair.iter().copied().min());
+        for (fit, either) in cones.fits.iter_mut().zip(either.flatten()) {
+            *fit = either.max(*fit);
+        }
+    }
     if cones.best() != Answer::Zero {
         cones.defect = cones.find_defect(decide, v);
     }
     Ok(Some(cones))
 }
 
-/// The same, if it has been found out before.
-fn known<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> AtVertex {
-    match judge.net.cones.get() {
-        Some(cones) => cones[v.index()].clone(),
-        None => cones(judge.topology(), judge.decide(), v),
-    }
+/// Which cones at the ends of an edge have the same point of contact.
+fn contact<D: Decide>(decide: &D, ends: [VertexId; 2], [a, b]: [&Cones; 2]) -> Contact {
+    let at = places(ends, [a, b]);
+    let fit = |c: usize, d: usize| {
+        let (fit, turned) = (a.fits[c].max(b.fits[d]), [SIGNS[c], SIGNS[d]]);
+        if fit == Answer::Nonzero {
+            return [fit; 2];
+        }
+        let fit = fit.max(decide.decide_roots(CoplanarAxes { turned }, at));
+        if fit == Answer::Nonzero {
+            return [fit; 2];
+        }
+        let (sign, certain) = decide.sign_of_roots(SameSide { turned }, at);
+        let otherwise = match certain && a.oriented && b.oriented {
+            true => Answer::Nonzero,
+            false => fit.max(Answer::InBox),
+        };
+        match sign {
+            Sign::Positive => [fit, otherwise],
+            Sign::Negative => [otherwise, fit],
+            Sign::Zero => [fit; 2],
+        }
+    };
+    std::array::from_fn(|c| std::array::from_fn(|d| fit(c, d)))
+}
+
+/// Where the axes at the ends of an edge are evaluated.
+fn places([v, w]: [VertexId; 2], [a, b]: [&Cones; 2]) -> [VertexId; 8] {
+    let ([a0, a1, a2], [b0, b1, b2]) = (a.base, b.base);
+    [v, w, a0, a1, a2, b0, b1, b2]
 }
 
 impl Cones {
-    /// The residuals of the other edges, for either sign of each.
-    fn places(
-        &self,
-        v: VertexId,
-        [second, third]: [bool; 2],
-    ) -> impl Iterator<Item = [(EdgesOnCone, [VertexId; 5]); 2]> {
+    /// The residuals of the other edges: for each of [`SIGNS`] those with either sign of the other.
+    fn places(&self, v: VertexId) -> Vec<([EdgesOnCone; 8], [VertexId; 5])> {
         let [a, b, c] = self.base;
-        self.others.iter().map(move |&x| {
-            let at = [v, a, b, c, x];
-            [false, true].map(|fourth| (EdgesOnCone { turned: [second, third, fourth] }, at))
-        })
+        let turned = |i: usize| [SIGNS[i / 2][0], SIGNS[i / 2][1], i % 2 == 1];
+        let sums = std::array::from_fn(|i| EdgesOnCone { turned: turned(i) });
+        self.others.iter().map(|&x| (sums, [v, a, b, c, x])).collect()
     }
 
     fn best(&self) -> Answer {
@@ -172,12 +340,14 @@ impl Cones {
     }
 
     fn find_defect<D: Decide>(&self, decide: &D, v: VertexId) -> f64 {
-        let defect = |(sum, at)| decide.root_failure("", sum, at).defect;
-        let worst = |signs| {
-            let each = self.places(v, signs).map(|pair| pair.map(defect));
-            each.map(|[a, b]| a.min(b)).fold(0.0, f64::max)
-        };
-        SIGNS.map(worst).into_iter().fold(f64::INFINITY, f64::min)
+        let mut worst = [0.0f64; 4];
+        for (sums, at) in self.places(v) {
+            let defects = sums.map(|sum| decide.root_failure("", sum, at).defect);
+            for (worst, pair) in worst.iter_mut().zip(defects.chunks(2)) {
+                *worst = worst.max(pair[0].min(pair[1]));
+            }
+        }
+        worst.into_iter().fold(f64::INFINITY, f64::min)
     }
 
     fn failure<V>(&self) -> Failure<V> {
@@ -185,48 +355,59 @@ impl Cones {
     }
 }
 
-fn at_vertex<D: Decide>(judge: &Judge<'_, D>, v: VertexId) -> Outcome<D::Value> {
-    let cones = match known(judge, v) {
-        Ok(Some(cones)) => cones,
-        Ok(None) => return Outcome::Trivial,
-        Err(reason) => return Outcome::Undefined(reason),
-    };
-    if cones.others.is_empty() {
-        return Outcome::Trivial;
+/// A face is planar, and its vertices with cones follow each other.
+fn at_face<D: Decide>(judge: &Judge<'_, D>, axes: &Axes, face: FaceId) -> Outcome<D::Value> {
+    let corners = judge.topology().face(face);
+    let free = |v: &VertexId| matches!(axes.cones[v.index()], Ok(None));
+    let next = corners.iter().cycle().skip(1);
+    let chains = corners.iter().zip(next).filter(|(v, w)| free(v) && !free(w)).count();
+    match planar::outcome(judge, face) {
+        Outcome::Holds | Outcome::Trivial | Outcome::Consistent if chains > 1 => {
+            Outcome::Undefined(Reason::LooseFace(face))
+        }
+        outcome => outcome,
     }
-    Outcome::of(cones.best(), || cones.failure())
 }
 
-fn at_edge<D: Decide>(judge: &Judge<'_, D>, v: VertexId, w: VertexId) -> Outcome<D::Value> {
-    let [a, b] = match [v, w].map(|end| known(judge, end)) {
+fn at_vertex<V>(axes: &Axes, v: VertexId) -> Outcome<V> {
+    let cones = match &axes.cones[v.index()] {
+        Ok(Some(cones)) => cones,
+        Ok(None) => return Outcome::Trivial,
+        Err(reason) => return Outcome::Undefined(*reason),
+    };
+    // A choice is made or not; nothing is nearly one.
+    let failure = || Failure { condition: "cones that fit together", defect: 1.0, residual: None };
+    match axes.joint.get(&v) {
+        Some(Ok(answer)) => Outcome::of(*answer, failure),
+        Some(Err(reason)) => Outcome::Undefined(*reason),
+        None if cones.others.is_empty() => Outcome::Trivial,
+        None => Outcome::of(cones.best(), || cones.failure()),
+    }
+}
+
+fn at_edge<D: Decide>(judge: &Judge<'_, D>, axes: &Axes, ends: [VertexId; 2]) -> Outcome<D::Value> {
+    let cones = match ends.map(|v| &axes.cones[v.index()]) {
         [Ok(Some(a)), Ok(Some(b))] => [a, b],
-        [Err(reason), _] | [_, Err(reason)] => return Outcome::Undefined(reason),
+        [Err(reason), _] | [_, Err(reason)] => return Outcome::Undefined(*reason),
         _ => return Outcome::Trivial,
     };
-    let [a0, a1, a2] = a.base;
-    let [b0, b1, b2] = b.base;
-    let at = [v, w, a0, a1, a2, b0, b1, b2];
-    let mut choices = Vec::with_capacity(16);
-    for (signs, fit) in SIGNS.into_iter().zip(a.fits) {
-        for (others, other) in SIGNS.into_iter().zip(b.fits) {
-            choices.push((CoplanarAxes { turned: [signs, others] }, fit.max(other)));
-        }
-    }
-    choices.retain(|(_, fit)| *fit != Answer::Nonzero);
-    let mut answer = Answer::Nonzero;
-    for (sum, fit) in &choices {
-        if answer > Answer::Zero {
-            answer = answer.min(judge.decide().decide_roots(*sum, at).max(*fit));
-        }
-    }
-    Outcome::of(answer, || {
-        let failure =
-            |(sum, _)| judge.decide().root_failure("axes in a plane with the edge", sum, at);
+    let Ok(found) = axes.contacts.binary_search_by_key(&ends, |(ends, _)| *ends) else {
+        return Outcome::Trivial;
+    };
+    Outcome::of(least(&axes.contacts[found].1), || {
+        let [a, b] = cones;
+        let at = places(ends, cones);
+        let pairs = (0..16).map(|i| (i / 4, i % 4));
+        let fitting = pairs.filter(|&(c, d)| a.fits[c].max(b.fits[d]) != Answer::Nonzero);
+        let failure = |(c, d): (usize, usize)| {
+            let sum = CoplanarAxes { turned: [SIGNS[c], SIGNS[d]] };
+            judge.decide().root_failure("axes in a plane with the edge", sum, at)
+        };
         match (a.best(), b.best()) {
             // Without a cone at an end there is no axis.
             (Answer::Nonzero, _) => a.failure(),
             (_, Answer::Nonzero) => b.failure(),
-            _ => nearest(choices.into_iter().map(failure)),
+            _ => nearest(fitting.map(failure)),
         }
     })
 }
@@ -238,24 +419,24 @@ fn nearest<V>(failures: impl Iterator<Item = Failure<V>>) -> Failure<V> {
     failures.reduce(less).unwrap_or(none)
 }
 
-/// The other ends of the edges at an interior or a boundary vertex.
-fn neighbours(topology: &Topology, v: VertexId) -> Vec<VertexId> {
-    let mut ends: Vec<VertexId> = topology.star(v).map(|h| topology.target(h)).collect();
-    if topology.kind(v) == VertexKind::Boundary {
-        ends.extend(topology.star(v).last().map(|h| topology.origin(topology.prev(h))));
-    }
-    ends
+/// Whether three points do not lie on a line.
+fn spans<D: Decide>(decide: &D, at: [VertexId; 3]) -> bool {
+    let projections = ProjectedArea::ALL.into_iter();
+    projections.map(|p| decide.sign(p, at).0).any(|sign| sign != Sign::Zero)
 }
 
-/// Three of the points that do not lie in a plane with the vertex.
-fn independent<D: Decide>(decide: &D, v: VertexId, ends: &[VertexId]) -> Option<[VertexId; 3]> {
+/// Three of the points that do not lie in a plane with the vertex, positively oriented as printed; and
+/// whether they are so in the whole box.
+fn independent<D: Decide>(
+    decide: &D,
+    v: VertexId,
+    ends: &[VertexId],
+) -> Option<([VertexId; 3], bool)> {
     let (&a, others) = ends.split_first()?;
-    let spans = |b: VertexId| {
-        let projections = ProjectedArea::ALL.into_iter();
-        projections.map(|p| decide.sign(p, [v, a, b]).0).any(|sign| sign != Sign::Zero)
-    };
-    let b = others.iter().copied().find(|&b| spans(b))?;
-    let c =
-        others.iter().copied().find(|&c| decide.sign(Coplanar, [v, a, b, c]).0 != Sign::Zero)?;
-    Some([a, b, c])
+    let b = others.iter().copied().find(|&b| spans(decide, [v, a, b]))?;
+    others.iter().find_map(|&c| match decide.sign(Coplanar, [v, a, b, c]) {
+        (Sign::Positive, certain) => Some(([a, b, c], certain)),
+        (Sign::Negative, certain) => Some(([a, c, b], certain)),
+        (Sign::Zero, _) => None,
+    })
 }

@@ -14,13 +14,14 @@
 //! | [`i_minimal`] `i-minimal` | interior vertex | the mixed measure with the lift to Σ is 0 |
 //! | [`a_net`] `a-net` | interior vertex | its edges lie in a plane |
 //! | [`euclidean`] `circular`, `conical` | face, interior vertex | the Euclidean notions |
-//! | [`edge_offset`] `edge-offset` | face, vertex, edge | the Euclidean notion: planar, edges on cones, axes that meet |
+//! | [`edge_offset`] `edge-offset` | face, vertex, edge | the Euclidean notion: planar, edges on cones, a joint choice of axes that meet |
 //!
 //! Boundary rule: vertex properties are tested where the faces around a vertex form one closed
 //! cycle; boundary and pinched vertices are no elements of the check. Only `edge-offset` speaks of the edges
-//! at boundary vertices, which need no cycle.
+//! at such vertices, which need no cycle.
 
 pub mod a_net;
+mod choice;
 pub mod delaunay;
 pub mod edge_offset;
 pub mod euclidean;
@@ -131,15 +132,15 @@ pub struct Net<'a, D> {
     decide: &'a D,
     radii: Option<VertexId>,
     shapes: OnceLock<Vec<FaceShape>>,
-    cones: OnceLock<Vec<edge_offset::AtVertex>>,
+    axes: OnceLock<edge_offset::Axes>,
     disc: OnceLock<bool>,
 }
 
 impl<'a, D: Decide> Net<'a, D> {
     /// Combinatorics and a decider for the points of the same mesh.
     pub fn new(topology: &'a Topology, decide: &'a D) -> Self {
-        let (shapes, cones, disc) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
-        Net { topology, decide, radii: None, shapes, cones, disc }
+        let (shapes, axes, disc) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        Net { topology, decide, radii: None, shapes, axes, disc }
     }
 
     /// The same with signed radii of vertex circles: they are the x-coordinates of the decider's
@@ -159,7 +160,7 @@ impl<'a, D: Decide> Net<'a, D> {
     pub fn check(&self, property: Property) -> Report<D::Value> {
         let elements = self.elements(property);
         self.know_faces(property);
-        self.know_cones(property);
+        self.know_axes(property);
         Report::collect(property.name(), &elements, |element, exact| {
             Judge { net: self, exact }.outcome(property, element)
         })
@@ -171,7 +172,7 @@ impl<'a, D: Decide> Net<'a, D> {
     pub fn defects(&self, property: Property) -> Vec<f64> {
         let elements = self.elements(property);
         self.know_faces(property);
-        self.know_cones(property);
+        self.know_axes(property);
         let judge = Judge { net: self, exact: false };
         let defect = |&element: &Element| match (element, judge.outcome(property, element)) {
             (Element::Face(f), Outcome::Fails(failure)) => Some((f.index(), failure.defect)),
@@ -247,11 +248,9 @@ impl<'a, D: Decide> Net<'a, D> {
     }
 
     /// Finds the cones of edges at all vertices, in the same way.
-    fn know_cones(&self, property: Property) {
-        if property == Property::EdgeOffset && self.cones.get().is_none() {
-            let vertices = 0..self.topology.vertex_count() as u32;
-            let at = |v| edge_offset::cones(self.topology, self.decide, VertexId(v));
-            let _ = self.cones.set(vertices.into_par_iter().map(at).collect());
+    fn know_axes(&self, property: Property) {
+        if property == Property::EdgeOffset && self.axes.get().is_none() {
+            let _ = self.axes.set(edge_offset::Axes::find(self.topology, self.decide));
         }
     }
 

@@ -1,9 +1,9 @@
 //! Edge-offset meshes of Euclidean space (Remark 2): the check, and the ways there and back.
 
-use isogeo::check::{Decider, Plain, Reason, Verdict};
+use isogeo::check::{Decider, Element, Plain, Reason, Verdict};
 use isogeo::construct::minimal::{MeshPair, bonnet, enneper, logarithmoid};
 use isogeo::construct::transfer::{NoTransfer, edge_offset_image, isothermic_image, stored_axes};
-use isogeo::mesh::{FaceList, Mesh, VertexId};
+use isogeo::mesh::{FaceId, FaceList, Mesh, VertexId, VertexKind};
 use isogeo::net::{Net, Property, RADIUS};
 use isogeo::scalar::{Field, Rational, Ring};
 use isogeo::space::{Point, Rotation, TopView};
@@ -49,12 +49,34 @@ fn images_of_isothermic_meshes_are_edge_offset() {
     }
 }
 
-fn star(points: &[[i64; 3]]) -> Mesh<Q> {
+fn mesh(points: &[[i64; 3]], polygons: impl IntoIterator<Item = Vec<u32>>) -> Mesh<Q> {
     let point = |p: &[i64; 3]| Point::new(q(p[0], 1), q(p[1], 1), q(p[2], 1));
     let mut faces = FaceList::new();
+    polygons.into_iter().for_each(|face| faces.push(face));
+    Mesh::new(points.iter().map(point).collect(), faces).expect("a mesh")
+}
+
+fn star(points: &[[i64; 3]]) -> Mesh<Q> {
     let n = points.len() as u32 - 1;
-    (0..n).for_each(|i| faces.push([0, 1 + i, 1 + (i + 1) % n]));
-    Mesh::new(points.iter().map(point).collect(), faces).expect("a star")
+    mesh(points, (0..n).map(|i| vec![0, 1 + i, 1 + (i + 1) % n]))
+}
+
+/// The prism over the polygon with these edges, with or without its top and bottom.
+fn prism(edges: &[[i64; 2]], closed: bool) -> Mesh<Q> {
+    let n = edges.len() as u32;
+    let mut corner = [0, 0];
+    let base: Vec<_> = edges
+        .iter()
+        .map(|[x, y]| {
+            corner = [corner[0] + x, corner[1] + y];
+            corner
+        })
+        .collect();
+    let points: Vec<_> =
+        [0, 1].iter().flat_map(|&z| base.iter().map(move |[x, y]| [*x, *y, z])).collect();
+    let sides = (0..n).map(|i| vec![i, (i + 1) % n, n + (i + 1) % n, n + i]);
+    let ends = [(0..n).rev().collect(), (n..2 * n).collect()];
+    mesh(&points, sides.chain(ends.into_iter().filter(|_| closed)))
 }
 
 /// Edges on a cone as lines: turned over they stay, and a cone of irrational lengths is one.
@@ -75,7 +97,7 @@ fn cones_are_cones_of_lines() {
             let mesh = cone(turned, last);
             let decider = Decider::of_rationals(&mesh.points);
             let report = Net::new(&mesh.topology, &decider).check(Property::EdgeOffset);
-            let centre = isogeo::check::Element::Vertex(VertexId(0));
+            let centre = Element::Vertex(VertexId(0));
             assert_eq!(report.failures.contains(&centre), found.is_some(), "{turned:?} {last}");
         }
     }
@@ -85,48 +107,91 @@ fn cones_are_cones_of_lines() {
 /// that touches the sphere, a sheared prism over a triangle to none.
 #[test]
 fn three_edges_at_a_vertex_do_not_suffice() {
-    // Over the triangle with sides 3, 4, 5; edges parallel to those of S, whatever their lengths.
-    let prism = |shear: i64| {
-        let corners = [[0, 0, 0], [3, 0, 0], [0, 4, 0]];
-        let top = corners.map(|[x, y, _]| [x + shear, y, 1]);
-        let points = corners.iter().chain(&top).map(|p| p.map(|c| q(c, 1)));
-        let points = points.map(|[x, y, z]| Point::new(x, y, z)).collect();
-        let mut faces = FaceList::new();
-        faces.push([0, 2, 1]);
-        faces.push([3, 4, 5]);
-        for (a, b) in [(0, 1), (1, 2), (2, 0)] {
-            faces.push([a, b, b + 3, a + 3]);
-        }
-        Mesh::new(points, faces).expect("a prism")
-    };
-    assert_eq!(verdict(&prism(1)), Verdict::Refuted);
-    // A cube is parallel to the one that touches.
-    let corner = |i: i64| Point::new(q(i & 1, 1), q(i >> 1 & 1, 1), q(i >> 2, 1));
-    let mut faces = FaceList::new();
-    let sides =
-        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    sides.into_iter().for_each(|f: [u32; 4]| faces.push(f));
-    let cube = Mesh::new((0..8).map(corner).collect(), faces).expect("a cube");
+    let mut sheared = prism(&[[3, 0], [-3, 4], [0, -4]], true);
+    sheared.points[3..].iter_mut().for_each(|p| p.x += &Q::one());
+    assert_eq!(verdict(&sheared), Verdict::Refuted);
+    let mut cube = prism(&[[1, 0], [0, 1], [-1, 0], [0, -1]], true);
     assert_eq!(verdict(&cube), Verdict::Proved);
-    let mut wrong = cube.clone();
-    wrong.points[7].x += &Q::one();
-    assert_eq!(verdict(&wrong), Verdict::Refuted);
+    cube.points[7].x += &Q::one();
+    assert_eq!(verdict(&cube), Verdict::Refuted);
+}
+
+/// Edges that enclose angles of 45° as lines. Around the polygon the points of contact change from the
+/// inside to the outside at every turn by 135°, or else at every one by 45°; an octagon has none of the
+/// former, and the hexagon an odd number of both.
+#[test]
+fn cones_that_fit_edge_by_edge_may_not_fit_together() {
+    let octagon = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
+    let hexagon = [[4, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-3, -3]];
+    for closed in [false, true] {
+        assert_eq!(verdict(&prism(&octagon, closed)), Verdict::Proved);
+        let mesh = prism(&hexagon, closed);
+        assert_eq!(verdict(&mesh), Verdict::Refuted);
+        let decider = Decider::of_rationals(&mesh.points);
+        let report = Net::new(&mesh.topology, &decider).check(Property::EdgeOffset);
+        assert!(matches!(report.failures[..], [Element::Vertex(_)]));
+        let worst = report.worst.expect("a failure");
+        assert_eq!(worst.failure.condition, "cones that fit together");
+    }
+}
+
+/// A ring of faces of an image: what holds on a disc holds on a part of it.
+#[test]
+fn an_annulus_of_an_image_is_edge_offset() {
+    let centre = TopView::new(q(-1, 2), q(-3, 2));
+    let enneper = enneper(5, 5, &centre).expect("a surface").surface;
+    let whole = image(&enneper);
+    let topology = &whole.topology;
+    let inner = |v: &VertexId| topology.kind(*v) == VertexKind::Interior;
+    let outside = topology.faces().map(|f| topology.face(f)).filter(|f| !f.iter().all(inner));
+    let mut faces = FaceList::new();
+    outside.for_each(|f| faces.push(f.iter().map(|v| v.0)));
+    let mut ring = Mesh::new(whole.points.clone(), faces).expect("a ring");
+    assert_eq!(ring.topology.boundary_loops().len(), 2);
+    assert_eq!(verdict(&ring), Verdict::Proved);
+    let v = ring.topology.face(FaceId(0))[0];
+    ring.points[v.index()].x += &q(1, 1 << 40);
+    assert_eq!(verdict(&ring), Verdict::Refuted);
+}
+
+/// Two squares with one corner in common: its four edges are to lie on a cone.
+#[test]
+fn pinched_vertices_count() {
+    let squares = |last: [i64; 3]| {
+        let far = [last[0], last[1], last[2] + 5];
+        let points = [[0; 3], [5, 0, 0], [5, 5, 0], [0, 5, 0], [0, 0, 5], far, last];
+        mesh(&points, [vec![0, 1, 2, 3], vec![0, 4, 5, 6]])
+    };
+    assert_eq!(verdict(&squares([0, -5, 0])), Verdict::Proved);
+    assert_eq!(verdict(&squares([0, -3, 4])), Verdict::Refuted);
+}
+
+fn reason(mesh: &Mesh<Q>) -> Reason {
+    let decider = Decider::of_rationals(&mesh.points);
+    let report = Net::new(&mesh.topology, &decider).check(Property::EdgeOffset);
+    assert_eq!(report.verdict(), Verdict::Undecided);
+    report.undefined[0].1
 }
 
 #[test]
 fn flat_stars_and_points_are_undefined() {
-    let reason = |points: &[[i64; 3]]| {
-        let mesh = star(points);
-        let decider = Decider::of_rationals(&mesh.points);
-        let report = Net::new(&mesh.topology, &decider).check(Property::EdgeOffset);
-        assert_eq!(report.verdict(), Verdict::Undecided);
-        report.undefined[0].1
-    };
     let flat = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]];
-    assert_eq!(reason(&flat), Reason::FlatVertex(VertexId(0)));
+    assert_eq!(reason(&star(&flat)), Reason::FlatVertex(VertexId(0)));
     let mut point = flat;
     point[3] = [0, 0, 0];
-    assert_eq!(reason(&point), Reason::PointEdge(VertexId(0)));
+    assert_eq!(reason(&star(&point)), Reason::PointEdge(VertexId(0)));
+}
+
+/// A hexagon between two quads, which share only edges along z with it.
+#[test]
+fn vertices_with_two_edges_may_separate_others() {
+    let rows = [[0, 2], [0, 0], [2, 0], [4, 4]];
+    let ends = rows.iter().flat_map(|&[x, y]| [[x, y, 0], [x, y, 1]]);
+    let mut points: Vec<_> = ends.chain([[1, 0, -1], [1, 0, 2]]).collect();
+    let faces = [vec![0, 2, 3, 1], vec![2, 8, 4, 5, 9, 3], vec![4, 6, 7, 5]];
+    assert_eq!(reason(&mesh(&points, faces.clone())), Reason::LooseFace(FaceId(1)));
+    [points[8], points[9]] = [[1, 0, 0], [1, 0, 1]];
+    assert_eq!(reason(&mesh(&points, faces)), Reason::StraightVertex(VertexId(8)));
 }
 
 /// `remark-2-edge-offset`: the way back leads to the interior of the mesh, with its radii up to a sign;
