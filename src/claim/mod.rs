@@ -16,7 +16,7 @@
 //! | `parallel` | 3.1 |
 //! | `principal` | 3.2 |
 //! | `isothermic` | 3.4 |
-//! | `curvature`, `minimal`, `vertex` | 4 |
+//! | `curvature`, `christoffel`, `minimal`, `rotational`, `vertex`, `accuracy` | 4 |
 
 use std::fmt;
 
@@ -31,12 +31,17 @@ mod sample;
 mod trial;
 mod verify;
 
+mod packing;
+
+mod accuracy;
+mod christoffel;
 mod curvature;
 mod isothermic;
 mod laguerre;
 mod minimal;
 mod parallel;
 mod principal;
+mod rotational;
 mod space;
 mod vertex;
 
@@ -147,15 +152,18 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 8] = [
+const CHAPTERS: [&[Claim]; 11] = [
     space::CLAIMS,
     laguerre::CLAIMS,
     parallel::CLAIMS,
     principal::CLAIMS,
     isothermic::CLAIMS,
     curvature::CLAIMS,
+    christoffel::CLAIMS,
     minimal::CLAIMS,
+    rotational::CLAIMS,
     vertex::CLAIMS,
+    accuracy::CLAIMS,
 ];
 
 /// All claims in the order of the paper.
