@@ -1,7 +1,8 @@
 //! Sec. 4: quads with mixed area 0, and Christoffel duals.
 
 use super::packing::{
-    around_a_triangle, face_at, free_star, one_face, radii_of, star, tangential, touching, witnessed,
+    around_a_triangle, face_at, free_star, one_face, radii_of, star, tangential, touching,
+    witnessed,
 };
 use super::{
     Claim, Control, Counterexample, Evidence, Grade, Hypothesis, Identity, Run, Source, Stop, Trial,
@@ -160,7 +161,8 @@ pub(super) const CLAIMS: &[Claim] = &[
                         .map(|j| {
                             let (i, j) = (j, (j + 1) % 3);
                             let scale = (&radii[i] * &radii[j]).try_inv();
-                            (&corners[j] - &corners[i]).scaled(&scale.unwrap_or_else(Rational::zero))
+                            (&corners[j] - &corners[i])
+                                .scaled(&scale.unwrap_or_else(Rational::zero))
                         })
                         .collect();
                     let least = (0..4)
@@ -204,7 +206,8 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
 ];
 
-const PARALLEL: &str = "corresponding edges are parallel; the zero vector is parallel to everything";
+const PARALLEL: &str =
+    "corresponding edges are parallel; the zero vector is parallel to everything";
 const NO_POINT: &str = "S is not a point";
 const OFF_CIRCLE: &str = "no vertex lies on its incircles: R_j != 0";
 const EVEN_FACES: &str = "the faces have an even number of sides";
@@ -463,7 +466,8 @@ impl Identity for DualFace {
         trial.zero("4 area(F, S)", four_mixed_areas(&f, &s));
         for j in 0..n {
             let next = (j + 1) % n;
-            let (e, d) = (&mesh.points[next] - &mesh.points[j], &image.points[next] - &image.points[j]);
+            let (e, d) =
+                (&mesh.points[next] - &mesh.points[j], &image.points[next] - &image.points[j]);
             let product = &radii[j] * &radii[next];
             let product = if j % 2 == 0 { product } else { -product };
             trial.equal("edge", &(&d.x * &product), &e.x);

@@ -59,7 +59,8 @@ pub(super) fn tangential<T: Field>(
         let cosine = T::one() + a * b;
         trial.nonzero(off_circle, &(b - a))?;
         trial.parameter("consecutive edges are not parallel", &cosine)?;
-        trial.parameter("no edge has length 0", &((next - a) * (T::one() + b.square())))?;
+        trial.parameter("no edge has length 0", &(next - a))?;
+        trial.parameter("1 + t² is not 0", &(T::one() + b.square()))?;
         let scale = trial.defined("consecutive edges are not parallel", cosine.try_inv())?;
         let centre = TopView::new((T::one() - a * b) * &scale, (a + b) * &scale);
         corners.push(OrientedCircle { centre, radius: (b - a) * scale });

@@ -5,11 +5,9 @@ use super::{
     Claim, Control, Counterexample, Evidence, Grade, Hypothesis, Identity, Run, Source, Stop, Trial,
 };
 use crate::construct::{lift, metric_dual};
-use crate::mesh::{FaceId, FaceList, Mesh, VertexId};
-use crate::pair::{
-    FParallel, Parallel, Ray, VParallel, cotangent_weight, star_forms, twice_area,
-};
-use crate::scalar::{Field, Ring};
+use crate::mesh::{FaceId, FaceList, Mesh, TopologyError, VertexId};
+use crate::pair::{FParallel, Parallel, Ray, VParallel, cotangent_weight, star_forms, twice_area};
+use crate::scalar::Field;
 use crate::space::{Circle, Gradient, Plane, Point, TopView, Vector2};
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -19,7 +17,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                     f-parallel pair (M*, S*), so its curvatures are those of that face combined by (11).",
         formula: "D(v) = area(v*),  D(v, s) = area(v*, s*),  H(v) = H(v*)/K(v*),  K(v) = 1/K(v*)",
         source: Source::Paper("Sec. 4, (21), (22)"),
-        hypotheses: &[Hypothesis::silent(DUAL_EDGES), Hypothesis::silent(MEASURES)],
+        hypotheses: &[Hypothesis::silent(MEASURES)],
         said: Grade::Decided,
         argument: "For all k: the gradients around the vertex are the top views of the corners of the \
                    dual face, one by one, and both sides are the same form of them. The faces around the \
@@ -29,28 +27,16 @@ pub(super) const CLAIMS: &[Claim] = &[
             K_GONS,
             &[3, 4, 5, 8],
         )],
-        controls: &[
-            Control {
-                without: DUAL_EDGES,
-                shows: "two faces around the vertex in one plane: its polar face has a corner less",
-                counterexample: Counterexample::Unknowns {
-                    evidence: 0,
-                    size: 3,
-                    unknowns: &["0", "0", "0", "0", "0", "0", "0", "0", "1", "0", "0", "1", "1", "0", "1"],
-                    constrained: &[],
-                },
+        controls: &[Control {
+            without: MEASURES,
+            shows: "where the gradients form a bow-tie there are no curvatures",
+            counterexample: Counterexample::Unknowns {
+                evidence: 0,
+                size: 4,
+                unknowns: &["0", "0", "1", "1", "1", "0", "0", "1", "1", "1", "1", "1", "1", "1"],
+                constrained: &[],
             },
-            Control {
-                without: MEASURES,
-                shows: "where the polygon of S is a point there are no curvatures",
-                counterexample: Counterexample::Unknowns {
-                    evidence: 0,
-                    size: 3,
-                    unknowns: &["0", "0", "0", "0", "0", "0", "0", "0", "1", "0", "0", "1", "1", "1", "1"],
-                    constrained: &[],
-                },
-            },
-        ],
+        }],
     },
     Claim {
         id: "eq-22-cotan",
@@ -64,11 +50,14 @@ pub(super) const CLAIMS: &[Claim] = &[
         said: Grade::Decided,
         argument: "For all k: both sides are sums of terms that belong to two consecutive triangles, \
                    and such a term knows nothing of k.",
-        evidence: &[Evidence::identity::<Cotangents>(
-            "a star of k triangles",
-            K_GONS,
-            &[3, 4, 5, 6, 8],
-        )],
+        evidence: &[
+            Evidence::identity::<Cotangents>("a star of k triangles", &[3, 4], &[3, 4, 5, 6, 8]),
+            Evidence::identity::<CentredCotangents>(
+                "a star given by its circumcentres",
+                K_GONS,
+                &[3, 4, 5, 8],
+            ),
+        ],
         controls: &[
             Control {
                 without: NOT_VERTICAL,
@@ -104,11 +93,10 @@ pub(super) const CLAIMS: &[Claim] = &[
         said: Grade::Decided,
         argument: "For all k as in eq-22-cotan; the measure is quadratic in the heights, so that its central \
                    difference is its derivative at any step.",
-        evidence: &[Evidence::identity::<Stress>(
-            "a star of k triangles with any image",
-            K_GONS,
-            &[3, 4, 5, 6, 8],
-        )],
+        evidence: &[
+            Evidence::identity::<Stress>("any two v-parallel stars", &[3, 4], &[3, 4, 5, 6, 8]),
+            Evidence::identity::<DualStress>("two stars given by gradients", K_GONS, &[3, 4, 5, 8]),
+        ],
         controls: &[Control {
             without: NOT_VERTICAL,
             shows: "a triangle over a segment",
@@ -130,11 +118,14 @@ pub(super) const CLAIMS: &[Claim] = &[
         said: Grade::Decided,
         argument: "For all k: gradients are linear in the heights, and by eq-15-16-form the measures of the sum \
                    are D(v) + 2d D(v, s) + d² D(s).",
-        evidence: &[Evidence::identity::<VOffset>(
-            "(22) on the vertices of M + d z_S",
-            &[3, 4, 5, 6],
-            &[3, 4, 5, 8],
-        )],
+        evidence: &[
+            Evidence::identity::<VOffset>("any two v-parallel stars", &[3, 4], &[3, 4, 5, 6, 8]),
+            Evidence::identity::<DualVOffset>(
+                "two stars given by gradients",
+                K_GONS,
+                &[3, 4, 5, 8],
+            ),
+        ],
         controls: &[
             Control {
                 without: NOT_VERTICAL,
@@ -180,7 +171,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             counterexample: Counterexample::Unknowns {
                 evidence: 0,
                 size: 4,
-                unknowns: &["0", "0", "0", "0", "1", "0", "1", "0", "0", "1", "1", "1"],
+                unknowns: &["0", "0", "0", "0", "1", "0", "0", "1", "1", "1"],
                 constrained: &[],
             },
         }],
@@ -192,7 +183,7 @@ const DUAL_EDGES: &str = "consecutive faces around the vertex are not coplanar, 
 const MEASURES: &str = "D(v) != 0 and D(s) != 0";
 const NOT_VERTICAL: &str = "no face of the star is vertical";
 const IMAGE_MEASURE: &str = "D(s) != 0";
-const EDGES: &str = "no edge of M has length 0 in the top view";
+const EDGES: &str = "no edge of M has length 0";
 const CLOSING: &str = "the last two edges are not parallel";
 
 /// A star of k triangles around vertex 0, with the top views and heights of M free.
@@ -204,12 +195,8 @@ fn triangles<T: Field>(trial: &mut Trial<T>) -> Result<Mesh<T>, Stop> {
     for j in 0..k {
         faces.push([0, 1 + j, 1 + (j + 1) % k].map(|v| v as u32));
     }
-    let view = |j: usize| &points[1 + j % k].top_view() - &points[0].top_view();
-    for j in 0..k {
-        trial.nonzero(NOT_VERTICAL, &view(j).det(&view(j + 1)))?;
-        trial.parameter("no edge of the star has length 0", &view(j).length2())?;
-    }
     let mesh = trial.accepted("a star", Mesh::new(points, faces))?;
+    not_vertical(trial, &mesh)?;
     trial.exhibit("M", &mesh);
     Ok(mesh)
 }
@@ -226,42 +213,124 @@ struct Cotangents;
 impl Identity for Cotangents {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
         let mesh = triangles(trial)?;
-        let image = lift(&mesh);
-        let heights: Vec<T> = image.points.iter().map(|p| trial.made(p.z.clone())).collect();
-        let image = at_heights(&image, |n| heights[n].clone());
-        let pair = trial.defined(NOT_VERTICAL, VParallel::new(&mesh, &image).ok())?;
-        let v = VertexId(0);
-        let forms = trial.accepted("interior", pair.vertex_forms(v))?;
-        let twice = forms.mixed_measure() * T::from_i64(2);
-        let star = trial.accepted("a star", pair.star(v))?;
-        let mut laplacian = T::zero();
-        for edge in &star {
-            let weight = cotangent_weight(&mesh, edge.half_edge);
-            let weight = trial.defined(NOT_VERTICAL, weight)?;
-            trial.equal("½ (cot α + cot β)", &edge.weight[1], &weight);
-            laplacian += &(weight * &edge.rise[0]);
-        }
-        trial.show("2 D(v, s)", &twice);
-        trial.equal("cotangent Laplacian", &laplacian, &twice);
-        let found = trial.accepted("a star", pair.laplacian(v))?;
-        trial.equal("Laplacian", &found, &twice);
-        let hinge = trial.accepted("a star", pair.hinge(v))?;
-        trial.equal("hinges", &hinge, &(&twice * T::from_i64(2)));
-        let mut centres = Vec::new();
-        for face in mesh.topology.star(v).map(|h| mesh.topology.face_at(h)) {
-            let corners = mesh.topology.face(face).iter();
-            let views: Vec<_> = corners.map(|v| mesh.points[v.index()].top_view()).collect();
-            let circle = Circle::through(&views[0], &views[1], &views[2]).ok();
-            centres.push(trial.defined(NOT_VERTICAL, circle)?.centre);
-        }
-        let area = forms.image_measure();
-        trial.show("D(s)", &area);
-        trial.equal("area of the circumcentres", &twice_area(&centres), &(&area * T::from_i64(2)));
-        trial.nonzero(IMAGE_MEASURE, &area)?;
-        let curvatures = trial.defined(IMAGE_MEASURE, pair.vertex_curvatures(v).ok())?;
-        trial.equal("2H", &(curvatures.mean * area * T::from_i64(2)), &laplacian);
-        Ok(())
+        cotangents(trial, &mesh)
     }
+}
+
+struct CentredCotangents;
+
+impl Identity for CentredCotangents {
+    fn run<T: Field>(trial: &mut Trial<T>) -> Run {
+        let k = trial.size();
+        let polygons = ParallelPolygons::free(trial)?;
+        let centres = &polygons.f;
+        let mut reach = Vec::new();
+        for j in 0..k {
+            let (a, b) = (centres[j].position(), centres[(j + 1) % k].position());
+            let length2 = (&b + &-&a).length2();
+            trial.parameter("consecutive circumcentres differ", &length2)?;
+            let factor = (T::from_i64(2) * a.det(&b)).try_div(&length2);
+            let factor = trial.defined("consecutive circumcentres differ", factor)?;
+            trial.parameter("the neighbours are not over the vertex", &factor)?;
+            // The neighbour is the vertex, reflected at the line of the centres.
+            reach.push(-factor);
+        }
+        let star = star_of(&polygons.s, centres, &reach);
+        let mesh = trial.accepted("a star", star)?;
+        not_vertical(trial, &mesh)?;
+        let image = trial.accepted("a star", star_of(centres, centres, &reach))?;
+        for (p, q) in lift(&mesh).points.iter().zip(&image.points) {
+            trial.equal_points("the lift", p, q);
+        }
+        cotangents(trial, &mesh)
+    }
+}
+
+fn not_vertical<T: Field>(trial: &mut Trial<T>, mesh: &Mesh<T>) -> Run {
+    let k = mesh.points.len() - 1;
+    let view = |j: usize| &mesh.points[1 + j % k].top_view() - &mesh.points[0].top_view();
+    for j in 0..k {
+        trial.nonzero(NOT_VERTICAL, &view(j).det(&view(j + 1)))?;
+        trial.parameter("no edge of the star has length 0", &view(j).length2())?;
+    }
+    Ok(())
+}
+
+/// The star over its vertex at the origin that has these gradients: neighbour j lies over the line
+/// where the faces j and j + 1 meet, which is that of all stars with parallel polygons of gradients.
+fn star_of<T: Field>(
+    gradients: &[TopView<T>],
+    polygon: &[TopView<T>],
+    reach: &[T],
+) -> Result<Mesh<T>, TopologyError> {
+    let k = gradients.len();
+    let mut points = vec![Point::new(T::zero(), T::zero(), T::zero())];
+    for j in 0..k {
+        let at = (&polygon[(j + 1) % k] - &polygon[j]).turned().scaled(&reach[j]);
+        let p = Gradient::new(gradients[j].x.clone(), gradients[j].y.clone());
+        points.push(Point::new(at.x.clone(), at.y.clone(), p.along(&at)));
+    }
+    let mut faces = FaceList::new();
+    for j in 0..k {
+        faces.push([0, 1 + (j + k - 1) % k, 1 + j].map(|v| v as u32));
+    }
+    Mesh::new(points, faces)
+}
+
+/// Two v-parallel stars with parallel polygons of gradients.
+fn dual_stars<T: Field>(trial: &mut Trial<T>) -> Result<[Mesh<T>; 2], Stop> {
+    let k = trial.size();
+    let polygons = ParallelPolygons::free(trial)?;
+    let reach: Vec<T> = (0..k).map(|_| trial.free()).collect();
+    let edge = |j: usize| &polygons.f[(j + 1) % k] - &polygons.f[j];
+    for (j, factor) in reach.iter().enumerate() {
+        trial.parameter("the neighbours are not over the vertex", factor)?;
+        trial.parameter(DUAL_EDGES, &edge(j).length2())?;
+        trial.parameter(DUAL_EDGES, &polygons.factors[j])?;
+        trial.parameter(DUAL_EDGES, &edge((j + k - 1) % k).det(&edge(j)))?;
+    }
+    let m = trial.accepted("M", star_of(&polygons.f, &polygons.f, &reach))?;
+    let s = trial.accepted("S", star_of(&polygons.s, &polygons.f, &reach))?;
+    not_vertical(trial, &m)?;
+    Ok([m, s])
+}
+
+fn cotangents<T: Field>(trial: &mut Trial<T>, mesh: &Mesh<T>) -> Run {
+    let image = lift(mesh);
+    let heights: Vec<T> = image.points.iter().map(|p| trial.made(p.z.clone())).collect();
+    let image = at_heights(&image, |n| heights[n].clone());
+    let pair = trial.defined(NOT_VERTICAL, VParallel::new(mesh, &image).ok())?;
+    let v = VertexId(0);
+    let forms = trial.accepted("interior", pair.vertex_forms(v))?;
+    let twice = forms.mixed_measure() * T::from_i64(2);
+    let star = trial.accepted("a star", pair.star(v))?;
+    let mut laplacian = T::zero();
+    for edge in &star {
+        let weight = cotangent_weight(mesh, edge.half_edge);
+        let weight = trial.defined(NOT_VERTICAL, weight)?;
+        trial.equal("½ (cot α + cot β)", &edge.weight[1], &weight);
+        laplacian += &(weight * &edge.rise[0]);
+    }
+    trial.show("2 D(v, s)", &twice);
+    trial.equal("cotangent Laplacian", &laplacian, &twice);
+    let found = trial.accepted("a star", pair.laplacian(v))?;
+    trial.equal("Laplacian", &found, &twice);
+    let hinge = trial.accepted("a star", pair.hinge(v))?;
+    trial.equal("hinges", &hinge, &(&twice * T::from_i64(2)));
+    let mut centres = Vec::new();
+    for face in mesh.topology.star(v).map(|h| mesh.topology.face_at(h)) {
+        let corners = mesh.topology.face(face).iter();
+        let views: Vec<_> = corners.map(|v| mesh.points[v.index()].top_view()).collect();
+        let circle = Circle::through(&views[0], &views[1], &views[2]).ok();
+        centres.push(trial.defined(NOT_VERTICAL, circle)?.centre);
+    }
+    let area = forms.image_measure();
+    trial.show("D(s)", &area);
+    trial.equal("area of the circumcentres", &twice_area(&centres), &(&area * T::from_i64(2)));
+    trial.nonzero(IMAGE_MEASURE, &area)?;
+    let curvatures = trial.defined(IMAGE_MEASURE, pair.vertex_curvatures(v).ok())?;
+    trial.equal("2H", &(curvatures.mean * area * T::from_i64(2)), &laplacian);
+    Ok(())
 }
 
 struct Stress;
@@ -271,46 +340,69 @@ impl Identity for Stress {
         let mesh = triangles(trial)?;
         let other: Vec<T> = mesh.points.iter().map(|_| trial.free()).collect();
         let image = at_heights(&mesh, |n| other[n].clone());
-        let pair = trial.defined(NOT_VERTICAL, VParallel::new(&mesh, &image).ok())?;
-        let v = VertexId(0);
-        let forms = trial.accepted("interior", pair.vertex_forms(v))?;
-        let twice = forms.mixed_measure() * T::from_i64(2);
-        let load = trial.accepted("a star", pair.load(v))?;
-        trial.equal("load", &load, &twice);
-        let laplacian = trial.accepted("a star", pair.laplacian(v))?;
-        trial.equal("Laplacian", &laplacian, &twice);
-        let star = trial.accepted("a star", pair.star(v))?;
-        for which in [0, 1] {
-            let sum = star.iter().fold(Vector2::new(T::zero(), T::zero()), |sum, edge| {
-                &sum + &edge.edge.scaled(&edge.weight[which])
-            });
-            trial.zero("equilibrium", sum.x);
-            trial.zero("equilibrium", sum.y);
-        }
-        let rays: Vec<_> =
-            star.iter().map(|e| Ray { edge: e.edge.clone(), rise: e.rise.clone() }).collect();
-        let (cleared, divisor) = trial.defined(NOT_VERTICAL, star_forms(&rays))?;
-        trial.equal("4 D(v)", &cleared.first, &(&forms.four.first * &divisor));
-        trial.equal("4 D(v, s)", &cleared.mixed, &(&forms.four.mixed * &divisor));
-        trial.equal("4 D(s)", &cleared.second, &(&forms.four.second * &divisor));
-        // Moving the vertex itself, and one neighbour.
-        for (moved, weight) in trial.accepted("a star", pair.jacobian_row(v))?.into_iter().take(2) {
-            let step = |by: &T| {
-                at_heights(&mesh, |n| {
-                    let z = mesh.points[n].z.clone();
-                    if n == moved.index() { z + by } else { z }
-                })
-            };
-            let (up, down) = (step(&T::one()), step(&T::from_i64(-1)));
-            let [up, down] = [&up, &down].map(|m| VParallel::new(m, &image).ok());
-            let up = trial.defined(NOT_VERTICAL, up)?.vertex_forms(v);
-            let down = trial.defined(NOT_VERTICAL, down)?.vertex_forms(v);
-            let (up, down) = (trial.accepted("interior", up)?, trial.accepted("interior", down)?);
-            let difference = up.measure() - down.measure();
-            trial.equal("derivative of D(v)", &difference, &(weight * T::from_i64(2)));
-        }
-        Ok(())
+        stress(trial, &mesh, &image)?;
+        derivatives(trial, &mesh, &image)
     }
+}
+
+struct DualStress;
+
+impl Identity for DualStress {
+    fn run<T: Field>(trial: &mut Trial<T>) -> Run {
+        let [mesh, image] = dual_stars(trial)?;
+        stress(trial, &mesh, &image)
+    }
+}
+
+fn stress<T: Field>(trial: &mut Trial<T>, mesh: &Mesh<T>, image: &Mesh<T>) -> Run {
+    let pair = trial.defined(NOT_VERTICAL, VParallel::new(mesh, image).ok())?;
+    let v = VertexId(0);
+    let forms = trial.accepted("interior", pair.vertex_forms(v))?;
+    let twice = forms.mixed_measure() * T::from_i64(2);
+    let load = trial.accepted("a star", pair.load(v))?;
+    trial.equal("load", &load, &twice);
+    let laplacian = trial.accepted("a star", pair.laplacian(v))?;
+    trial.equal("Laplacian", &laplacian, &twice);
+    let star = trial.accepted("a star", pair.star(v))?;
+    for which in [0, 1] {
+        let sum = star.iter().fold(Vector2::new(T::zero(), T::zero()), |sum, edge| {
+            &sum + &edge.edge.scaled(&edge.weight[which])
+        });
+        trial.zero("equilibrium", sum.x);
+        trial.zero("equilibrium", sum.y);
+    }
+    Ok(())
+}
+
+/// The forms without a division, and the derivatives of the measure.
+fn derivatives<T: Field>(trial: &mut Trial<T>, mesh: &Mesh<T>, image: &Mesh<T>) -> Run {
+    let pair = trial.defined(NOT_VERTICAL, VParallel::new(mesh, image).ok())?;
+    let v = VertexId(0);
+    let forms = trial.accepted("interior", pair.vertex_forms(v))?;
+    let star = trial.accepted("a star", pair.star(v))?;
+    let rays: Vec<_> =
+        star.iter().map(|e| Ray { edge: e.edge.clone(), rise: e.rise.clone() }).collect();
+    let (cleared, divisor) = trial.defined(NOT_VERTICAL, star_forms(&rays))?;
+    trial.equal("4 D(v)", &cleared.first, &(&forms.four.first * &divisor));
+    trial.equal("4 D(v, s)", &cleared.mixed, &(&forms.four.mixed * &divisor));
+    trial.equal("4 D(s)", &cleared.second, &(&forms.four.second * &divisor));
+    // Moving the vertex itself, and one neighbour.
+    for (moved, weight) in trial.accepted("a star", pair.jacobian_row(v))?.into_iter().take(2) {
+        let step = |by: &T| {
+            at_heights(mesh, |n| {
+                let z = mesh.points[n].z.clone();
+                if n == moved.index() { z + by } else { z }
+            })
+        };
+        let (up, down) = (step(&T::one()), step(&T::from_i64(-1)));
+        let [up, down] = [&up, &down].map(|m| VParallel::new(m, image).ok());
+        let up = trial.defined(NOT_VERTICAL, up)?.vertex_forms(v);
+        let down = trial.defined(NOT_VERTICAL, down)?.vertex_forms(v);
+        let (up, down) = (trial.accepted("interior", up)?, trial.accepted("interior", down)?);
+        let difference = up.measure() - down.measure();
+        trial.equal("derivative of D(v)", &difference, &(weight * T::from_i64(2)));
+    }
+    Ok(())
 }
 
 struct VOffset;
@@ -320,25 +412,38 @@ impl Identity for VOffset {
         let mesh = triangles(trial)?;
         let other: Vec<T> = mesh.points.iter().map(|_| trial.free()).collect();
         let image = at_heights(&mesh, |n| other[n].clone());
-        let d = trial.free();
-        let pair = trial.defined(NOT_VERTICAL, VParallel::new(&mesh, &image).ok())?;
-        let v = VertexId(0);
-        let forms = trial.accepted("interior", pair.vertex_forms(v))?;
-        trial.nonzero(IMAGE_MEASURE, &forms.image_measure())?;
-        let curvatures = trial.defined(IMAGE_MEASURE, pair.vertex_curvatures(v).ok())?;
-        let offset = trial.made_mesh(pair.offset(&d));
-        let moved = trial.accepted("v-parallel", VParallel::new(&offset, &image))?;
-        let found = trial.defined(IMAGE_MEASURE, moved.vertex_curvatures(v).ok())?;
-        trial.show("H", &found.mean);
-        trial.show("K", &found.gauss);
-        let law = curvatures.v_offset(&d);
-        trial.equal("H", &found.mean, &law.mean);
-        trial.equal("K", &found.gauss, &law.gauss);
-        trial.equal("H + d", &found.mean, &(&curvatures.mean + &d));
-        let gauss = &curvatures.gauss + T::from_i64(2) * &d * &curvatures.mean + d.square();
-        trial.equal("K + 2dH + d²", &found.gauss, &gauss);
-        Ok(())
+        v_offset(trial, &mesh, &image)
     }
+}
+
+struct DualVOffset;
+
+impl Identity for DualVOffset {
+    fn run<T: Field>(trial: &mut Trial<T>) -> Run {
+        let [mesh, image] = dual_stars(trial)?;
+        v_offset(trial, &mesh, &image)
+    }
+}
+
+fn v_offset<T: Field>(trial: &mut Trial<T>, mesh: &Mesh<T>, image: &Mesh<T>) -> Run {
+    let d = trial.free();
+    let pair = trial.defined(NOT_VERTICAL, VParallel::new(mesh, image).ok())?;
+    let v = VertexId(0);
+    let forms = trial.accepted("interior", pair.vertex_forms(v))?;
+    trial.nonzero(IMAGE_MEASURE, &forms.image_measure())?;
+    let curvatures = trial.defined(IMAGE_MEASURE, pair.vertex_curvatures(v).ok())?;
+    let offset = trial.made_mesh(pair.offset(&d));
+    let moved = trial.accepted("v-parallel", VParallel::new(&offset, image))?;
+    let found = trial.defined(IMAGE_MEASURE, moved.vertex_curvatures(v).ok())?;
+    trial.show("H", &found.mean);
+    trial.show("K", &found.gauss);
+    let law = curvatures.v_offset(&d);
+    trial.equal("H", &found.mean, &law.mean);
+    trial.equal("K", &found.gauss, &law.gauss);
+    trial.equal("H + d", &found.mean, &(&curvatures.mean + &d));
+    let gauss = &curvatures.gauss + T::from_i64(2) * &d * &curvatures.mean + d.square();
+    trial.equal("K + 2dH + d²", &found.gauss, &gauss);
+    Ok(())
 }
 
 /// Corners of a polygon F in the plane, and the factors of its edges in a parallel polygon S.
@@ -386,11 +491,11 @@ impl Identity for EdgeSums {
         let edge = |j: usize| &polygons.f[(j + 1) % k] - &polygons.f[j];
         for j in 0..k {
             let e = edge(j);
-            trial.nonzero(EDGES, &e.length2())?;
             let length2 = e.length2() + plane.gradient.along(&e).square();
-            trial.parameter("no edge of M is a null vector of the field", &length2)?;
+            trial.nonzero(EDGES, &length2)?;
         }
-        let mesh = |views: &[TopView<T>]| face_at(views.iter().map(|v| plane.point_at(v)).collect());
+        let mesh =
+            |views: &[TopView<T>]| face_at(views.iter().map(|v| plane.point_at(v)).collect());
         let m = trial.accepted("F", mesh(&polygons.f))?;
         let s = trial.accepted("S", mesh(&polygons.s))?;
         trial.exhibit("F", &m);
@@ -454,27 +559,13 @@ impl Identity for DualForms {
         let edge = |p: &[TopView<T>], j: usize| &p[(j + 1) % k] - &p[j];
         for (j, factor) in reach.iter().enumerate() {
             trial.parameter("the neighbours are not over the vertex", factor)?;
-            trial.nonzero(DUAL_EDGES, &edge(f, j).length2())?;
-            trial.nonzero(DUAL_EDGES, &polygons.factors[j])?;
+            trial.parameter(DUAL_EDGES, &edge(f, j).length2())?;
+            trial.parameter(DUAL_EDGES, &polygons.factors[j])?;
             let before = (j + k - 1) % k;
-            trial.nonzero(DUAL_EDGES, &edge(f, before).det(&edge(f, j)))?;
+            trial.parameter(DUAL_EDGES, &edge(f, before).det(&edge(f, j)))?;
         }
-        // M over its vertex at the origin: neighbour j on the line of the faces j and j + 1.
-        let star = |gradients: &[TopView<T>]| {
-            let mut points = vec![Point::new(T::zero(), T::zero(), T::zero())];
-            for j in 0..k {
-                let at = edge(f, j).turned().scaled(&reach[j]);
-                let p = Gradient::new(gradients[j].x.clone(), gradients[j].y.clone());
-                points.push(Point::new(at.x.clone(), at.y.clone(), p.along(&at)));
-            }
-            let mut faces = FaceList::new();
-            for j in 0..k {
-                faces.push([0, 1 + (j + k - 1) % k, 1 + j].map(|v| v as u32));
-            }
-            Mesh::new(points, faces)
-        };
-        let m = trial.accepted("M", star(f))?;
-        let image = trial.accepted("S", star(s))?;
+        let m = trial.accepted("M", star_of(f, f, &reach))?;
+        let image = trial.accepted("S", star_of(s, f, &reach))?;
         trial.exhibit("M", &m);
         trial.exhibit("S", &image);
         let v_pair = trial.accepted("v-parallel", VParallel::new(&m, &image))?;
