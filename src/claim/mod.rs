@@ -38,6 +38,7 @@ mod christoffel;
 mod curvature;
 mod isothermic;
 mod laguerre;
+mod lines;
 mod minimal;
 mod parallel;
 mod principal;
@@ -152,7 +153,7 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 11] = [
+const CHAPTERS: [&[Claim]; 12] = [
     space::CLAIMS,
     laguerre::CLAIMS,
     parallel::CLAIMS,
@@ -161,6 +162,7 @@ const CHAPTERS: [&[Claim]; 11] = [
     curvature::CLAIMS,
     christoffel::CLAIMS,
     minimal::CLAIMS,
+    lines::CLAIMS,
     rotational::CLAIMS,
     vertex::CLAIMS,
     accuracy::CLAIMS,

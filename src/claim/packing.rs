@@ -2,10 +2,12 @@
 //! around a vertex, all of them rational.
 
 use super::{Stop, Trial};
+use crate::check::Residual;
 use crate::construct::{koebe_mesh, vertex_circles};
-use crate::mesh::{FaceList, Mesh, TopologyError};
+use crate::mesh::{FaceList, Mesh, TopologyError, VertexId};
 use crate::net::RADIUS;
-use crate::pair::twice_area;
+use crate::net::i_isothermic::{CoplanarPoles, TouchingCircles};
+use crate::pair::{four_mixed_areas, twice_area};
 use crate::scalar::{Field, Rational, Ring};
 use crate::space::{OrientedCircle, Point, Rotation, TopView, Vector2};
 
@@ -196,4 +198,100 @@ pub(super) fn around_a_triangle() -> Option<Mesh<Rational>> {
     }
     let circles = corners.into_iter().chain(near).chain(far).chain(outer).collect();
     koebe_mesh(circles, faces).ok()
+}
+
+/// The circles, moved.
+pub(super) fn translated<T: Field>(
+    circles: Vec<OrientedCircle<T>>,
+    by: &Vector2<T>,
+) -> Vec<OrientedCircle<T>> {
+    let moved = |c: OrientedCircle<T>| OrientedCircle { centre: &c.centre + by, radius: c.radius };
+    circles.into_iter().map(moved).collect()
+}
+
+/// Goals: the circles of a mesh touch along its edges, and those of a face have a common orthogonal
+/// circle.
+pub(super) fn has_circles<T: Field>(trial: &mut Trial<T>, mesh: &Mesh<T>) {
+    let radii = radii_of(mesh);
+    let number = |v: VertexId| Point::new(radii[v.index()].clone(), T::zero(), T::zero());
+    let point = |v: VertexId| mesh.points[v.index()].clone();
+    for h in mesh.topology.edges() {
+        let [a, b] = [mesh.topology.origin(h), mesh.topology.target(h)];
+        let points = [point(a), point(b), number(a), number(b)];
+        trial.zero("touching circles", TouchingCircles.eval(&points, &T::one()));
+    }
+    for face in mesh.topology.faces() {
+        let corners = mesh.topology.face(face);
+        for &last in corners.iter().skip(3) {
+            let at = [corners[0], corners[1], corners[2], last];
+            let points =
+                std::array::from_fn(|i| if i < 4 { point(at[i]) } else { number(at[i - 4]) });
+            trial.zero("coplanar poles", CoplanarPoles.eval(&points, &T::one()));
+        }
+    }
+}
+
+/// Two parallel polygons F and S with k corners and mixed area 0, in the plane z = 0, each with a
+/// ring of quads around it in planes that are parallel to those of the other.
+pub(super) fn ring_around<T: Field>(
+    trial: &mut Trial<T>,
+    minimal: &'static str,
+) -> Result<[Mesh<T>; 2], Stop> {
+    const SPANNED: &str = "consecutive edges are not parallel";
+    const SLOPE: &str = "faces of the ring are not horizontal";
+    const SOLVED: &str = "the last factor decides over the mixed area";
+    let k = trial.size();
+    let f: Vec<_> = (0..k).map(|_| TopView::new(trial.free(), trial.free())).collect();
+    let slopes: Vec<T> = (0..k).map(|_| trial.free()).collect();
+    let mut factors: Vec<T> = (0..k - 3).map(|_| trial.free()).collect();
+    let edge = |j: usize| &f[(j + 1) % k] - &f[j % k];
+    for (j, slope) in slopes.iter().enumerate() {
+        trial.parameter(SPANNED, &edge(j + k - 1).det(&edge(j)))?;
+        trial.parameter(SLOPE, slope)?;
+    }
+    let closed = |factors: &[T], solved: &T| {
+        let mut s = vec![TopView::new(T::zero(), T::zero())];
+        for (j, factor) in factors.iter().chain([solved]).enumerate() {
+            s.push(&s[j] + &edge(j).scaled(factor));
+        }
+        let (last, back) = (edge(k - 2), edge(k - 1));
+        let gap = &s[0] - &s[k - 2];
+        let step = gap.det(&back).try_div(&last.det(&back))?;
+        s.push(&s[k - 2] + &last.scaled(&step));
+        Some(s)
+    };
+    // The mixed area is linear in the last factor.
+    let [at_zero, at_one] = [0, 1].map(|n| closed(&factors, &T::from_i64(n)));
+    let at_zero = four_mixed_areas(&f, &trial.defined(SPANNED, at_zero)?);
+    let slope = four_mixed_areas(&f, &trial.defined(SPANNED, at_one)?) - &at_zero;
+    trial.parameter(SOLVED, &slope)?;
+    let solved = trial.defined(SOLVED, (-&at_zero).try_div(&slope))?;
+    let solved = trial.constrained(solved);
+    trial.relation(minimal, at_zero + &slope * &solved)?;
+    let s = trial.defined(SPANNED, closed(&factors, &solved))?;
+    factors.push(solved);
+    for j in 0..k {
+        trial.parameter("no edge of S has length 0", &{
+            let image = &s[(j + 1) % k] - &s[j];
+            image.det(&edge(j + 1))
+        })?;
+    }
+    let mesh = |corners: &[TopView<T>]| {
+        let mut points: Vec<_> = corners.iter().map(|v| v.at_height(T::zero())).collect();
+        for (j, corner) in corners.iter().enumerate() {
+            // Along the line of the faces j − 1 and j, which have the gradients μ J e.
+            let before = edge(j + k - 1).scaled(&slopes[(j + k - 1) % k]);
+            let after = edge(j).scaled(&slopes[j]);
+            let along = &before + &-&after;
+            points.push((corner + &along).at_height(after.turned().dot(&along)));
+        }
+        let mut faces = one_face(k);
+        for j in 0..k {
+            let next = (j + 1) % k;
+            faces.push([next, j, k + j, k + next].map(|v| v as u32));
+        }
+        Mesh::new(points, faces)
+    };
+    let meshes = [trial.accepted("M", mesh(&f))?, trial.accepted("S", mesh(&s))?];
+    Ok(meshes)
 }
