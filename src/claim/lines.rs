@@ -10,7 +10,7 @@ use crate::construct::{christoffel_by_radii, metric_dual, polar_packing, square_
 use crate::mesh::{FaceId, Mesh};
 use crate::net::planar::Coplanar;
 use crate::pair::{FParallel, twice_area};
-use crate::scalar::{Field, Ring};
+use crate::scalar::Field;
 use crate::space::{OrientedCircle, Plane, Point, Rotation, TopView};
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -291,9 +291,8 @@ impl Identity for EnneperPoints {
             for Plane { gradient: p, height: t } in &planes {
                 // The plane at the point, times twice the offset, which may be 0.
                 let (along, height) = if rows { (&p.y, -&height) } else { (&p.x, height.clone()) };
-                let sign = if rows { T::one() } else { T::one() };
                 let shear = T::dot([&p.x, &p.y], [&centre.x, &centre.y]);
-                let value = (height - shear - t) * &offset * T::from_i64(2) - along * sign;
+                let value = (height - shear - t) * &offset * T::from_i64(2) - along;
                 trial.zero("the point", value);
             }
         }

@@ -127,7 +127,7 @@ pub(super) fn star<T: Field>(
         let next = (j + 1) % n;
         let spokes = [(&rays[j], &radii[j]), (&rays[next], &radii[next])];
         circles.push(quad(trial.as_deref_mut(), &centre, spokes)?);
-        faces.push([0, 1 + j, 1 + n + j, 1 + next].map(|v| v as u32));
+        faces.push([1 + next, 0, 1 + j, 1 + n + j].map(|v| v as u32));
     }
     koebe_mesh(circles, faces).ok()
 }
@@ -267,9 +267,12 @@ pub(super) fn ring_around<T: Field>(
     trial.parameter(SOLVED, &slope)?;
     let solved = trial.defined(SOLVED, (-&at_zero).try_div(&slope))?;
     let solved = trial.constrained(solved);
-    trial.relation(minimal, at_zero + &slope * &solved)?;
+    trial.relation(minimal, (at_zero + &slope * &solved) * T::from_ratio(1, 4))?;
     let s = trial.defined(SPANNED, closed(&factors, &solved))?;
     factors.push(solved);
+    for factor in &factors {
+        trial.parameter("no edge of S has length 0", factor)?;
+    }
     for j in 0..k {
         trial.parameter("no edge of S has length 0", &{
             let image = &s[(j + 1) % k] - &s[j];
