@@ -61,18 +61,23 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "minimal-at-vertices",
         statement: "The Christoffel dual of a Koebe mesh is i-minimal at its vertices as well, with the Koebe \
-                    mesh over its own circles as v-parallel Gauss image; there K is the product of the radii \
-                    of the face circles, with the opposite sign.",
+                    mesh over its own circles as v-parallel Gauss image; there -K is the product of the radii \
+                    of the face circles of the first.",
         formula: "D(v, s) = 0,  K(v) = -ρ_0 ρ_1 ρ_2 ρ_3",
         source: Source::Ours,
         hypotheses: &[Hypothesis::stated(OFF_CIRCLE)],
         said: Grade::Decided,
-        argument: "The star is any four quads with touching circles around a vertex; further faces do not enter.",
-        evidence: &[Evidence::identity::<MinimalAtVertex>(
-            "four quads around a vertex",
-            &[1],
-            &[1],
-        )],
+        argument: "The star is any four quads with touching circles around a vertex; further faces do not enter. The \
+                   polygons of gradients are quads around the circles of the vertex, dual to each other: for K \
+                   that is christoffel-dual, and is looked at on one surface.",
+        evidence: &[
+            Evidence::identity::<MinimalAtVertex>("four quads around a vertex", &[1], &[1]),
+            Evidence::identity::<EnneperResidual>(
+                "K, and the residual of checks, on the Enneper surface",
+                &[1],
+                &[1],
+            ),
+        ],
         controls: &[Control {
             without: OFF_CIRCLE,
             shows: "a circle of radius 0 has no inverse",
@@ -221,12 +226,50 @@ impl Identity for MinimalAtVertex {
         let pair = trial.accepted("v-parallel", VParallel::new(&surface, &image))?;
         let forms = trial.accepted("interior", pair.vertex_forms(v))?;
         trial.zero("D(v, s)", forms.mixed_measure());
-        let mut product = T::one();
+        // The circles of faces have inverse radii, too.
         for face in surface.topology.faces() {
-            let circle = face_circle(&image, face).ok().flatten();
+            let circle = |mesh: &Mesh<T>| face_circle(mesh, face).ok().flatten();
+            let [own, other] = [circle(&image), circle(&koebe)];
+            let own = trial.defined(OFF_CIRCLE, own)?.radius;
+            let other = trial.defined(OFF_CIRCLE, other)?.radius;
+            trial.equal("radius of a face", &(own * &other).square(), &T::one());
+        }
+        Ok(())
+    }
+}
+
+/// The residual of the checks at the middle of a patch of two by two quads.
+struct EnneperResidual;
+
+impl Identity for EnneperResidual {
+    fn run<T: Field>(trial: &mut Trial<T>) -> Run {
+        let koebe = super::lines::free_enneper(trial, 2, 2, None)?.gauss;
+        let surface =
+            trial.accepted("the dual", christoffel_by_radii(&koebe, radii_of(&koebe)))?.mesh;
+        let v = VertexId(4);
+        let circles = trial.defined(OFF_CIRCLE, vertex_circles(&surface))?;
+        let image = Mesh { points: circles.iter().map(|c| c.pole()).collect(), ..surface.clone() };
+        let pair = trial.accepted("v-parallel", VParallel::new(&surface, &image))?;
+        let forms = trial.accepted("interior", pair.vertex_forms(v))?;
+        let mut product = T::one();
+        for face in koebe.topology.faces() {
+            let [a, b] = [0, 1].map(|n| koebe.topology.face(face)[n].index());
+            let length = &radii_of(&koebe)[a] + &radii_of(&koebe)[b];
+            trial.parameter("no edge has length 0", &length)?;
+            let circle = face_circle(&koebe, face).ok().flatten();
             product = product * trial.defined(OFF_CIRCLE, circle)?.radius;
         }
         trial.zero("K(v)", forms.measure() + forms.image_measure() * product);
+        let around = surface.topology.star(v).map(|h| surface.topology.target(h));
+        let at: Vec<VertexId> = std::iter::once(v).chain(around).collect();
+        let points: [Point<T>; 10] = std::array::from_fn(|i| match i {
+            0..5 => surface.points[at[i].index()].clone(),
+            _ => {
+                let radius = radii_of(&surface)[at[i - 5].index()].clone();
+                Point::new(radius, T::zero(), T::zero())
+            }
+        });
+        trial.zero("residual", MixedMeasure::<true> { valence: 4 }.eval(&points, &T::one()));
         Ok(())
     }
 }

@@ -34,6 +34,7 @@ mod verify;
 mod packing;
 
 mod accuracy;
+mod airy;
 mod christoffel;
 mod curvature;
 mod isothermic;
@@ -153,7 +154,7 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 12] = [
+const CHAPTERS: [&[Claim]; 13] = [
     space::CLAIMS,
     laguerre::CLAIMS,
     parallel::CLAIMS,
@@ -163,6 +164,7 @@ const CHAPTERS: [&[Claim]; 12] = [
     christoffel::CLAIMS,
     minimal::CLAIMS,
     lines::CLAIMS,
+    airy::CLAIMS,
     rotational::CLAIMS,
     vertex::CLAIMS,
     accuracy::CLAIMS,
