@@ -1,6 +1,7 @@
 //! Sec. 4: i-minimal meshes with planar parameter lines (Figs. 8 and 9).
 
 use super::packing::radii_of;
+use super::stars::{ParallelPolygons, star_of};
 use super::{
     Claim, Control, Counterexample, Evidence, Grade, Hypothesis, Identity, Run, Source, Stop, Trial,
 };
@@ -11,7 +12,7 @@ use crate::mesh::{FaceId, Mesh};
 use crate::net::planar::Coplanar;
 use crate::pair::{FParallel, twice_area};
 use crate::scalar::Field;
-use crate::space::{OrientedCircle, Plane, Point, Rotation, TopView};
+use crate::space::{Dual, OrientedCircle, Plane, Point, Rotation, TopView};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -27,10 +28,14 @@ pub(super) const CLAIMS: &[Claim] = &[
                    points lie in a plane, so all do: the next plane has three of them in common. That \
                    no other i-minimal meshes have planar lines is not claimed.",
         evidence: &[
-            Evidence::identity::<EnneperLines>("the Enneper surface", &[3], &[3, 4]),
-            Evidence::identity::<LogarithmoidLines>("the logarithmoid", &[3], &[3, 4]),
-            Evidence::identity::<BonnetLines>("the counterpart of Bonnet's surface", &[3], &[3]),
-            Evidence::identity::<SaddleLines>("the paraboloid", &[3], &[3, 5]),
+            Evidence::identity::<EnneperLines>("the Enneper surface", &[1, 2], &[1, 2, 4]),
+            Evidence::identity::<LogarithmoidLines>("the logarithmoid", &[1, 2], &[1, 2, 4]),
+            Evidence::identity::<BonnetLines>(
+                "the counterpart of Bonnet's surface",
+                &[1, 2],
+                &[1, 2],
+            ),
+            Evidence::identity::<SaddleLines>("the paraboloid", &[1, 2], &[1, 2, 5]),
         ],
         controls: &[
             Control {
@@ -38,7 +43,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                 shows: "a circle through the centre has no image",
                 counterexample: Counterexample::Unknowns {
                     evidence: 0,
-                    size: 3,
+                    size: 1,
                     unknowns: &["1/2", "0"],
                     constrained: &[],
                 },
@@ -48,7 +53,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                 shows: "sectors without a width",
                 counterexample: Counterexample::Unknowns {
                     evidence: 1,
-                    size: 3,
+                    size: 1,
                     unknowns: &["0"],
                     constrained: &[],
                 },
@@ -63,15 +68,16 @@ pub(super) const CLAIMS: &[Claim] = &[
         source: Source::Paper("Sec. 4, Fig. 9"),
         hypotheses: &[Hypothesis::silent(THROUGH), Hypothesis::silent(SECTOR)],
         said: Grade::Decided,
-        argument: "Face planes of the dual are poles of vertices, so by fig-8-planar-lines the point is the pole of \
+        argument: "Face planes of the dual are poles of vertices, which is decided, so by fig-8-planar-lines the point is the pole of \
                    the plane of a line of vertices. Four consecutive planes suffice as there.",
         evidence: &[
             Evidence::identity::<EnneperPoints>("the dual of the Enneper surface", &[1], &[1]),
             Evidence::identity::<LogarithmoidPoints>("the dual of the logarithmoid", &[1], &[1]),
+            Evidence::identity::<Pole>("a face of the dual is the pole of a vertex", &[4], &[4]),
             Evidence::identity::<BonnetPoints>(
-                "the dual of the counterpart of Bonnet's surface",
-                &[1],
-                &[1],
+                "the dual of the counterpart of Bonnet's surface, on instances",
+                &[],
+                &[1, 2],
             ),
         ],
         controls: &[
@@ -171,24 +177,41 @@ fn free_bonnet<T: Field>(
     Ok(pair)
 }
 
-/// Goals: each four consecutive points of the rows and columns of a patch lie in a plane.
-fn planar_lines<T: Field>(trial: &mut Trial<T>, mesh: &Mesh<T>, n: usize) {
+/// Goals: each four consecutive points of the lines of a patch of m rows and n columns lie in a plane.
+fn planar_lines<T: Field>(trial: &mut Trial<T>, mesh: &Mesh<T>, m: usize, n: usize) {
     let at = |i: usize, j: usize| mesh.points[i * (n + 1) + j].clone();
-    for line in 0..=n {
-        for start in 0..=n - 3 {
-            let row = std::array::from_fn(|k| at(line, start + k));
-            let column = std::array::from_fn(|k| at(start + k, line));
+    for i in 0..=m {
+        for start in 0..(n + 1).saturating_sub(3) {
+            let row = std::array::from_fn(|k| at(i, start + k));
             trial.zero("row", Coplanar.eval(&row, &T::one()));
+        }
+    }
+    for j in 0..=n {
+        for start in 0..(m + 1).saturating_sub(3) {
+            let column = std::array::from_fn(|k| at(start + k, j));
             trial.zero("column", Coplanar.eval(&column, &T::one()));
         }
     }
 }
 
-fn both<T: Field>(trial: &mut Trial<T>, pair: &MeshPair<T>, n: usize) -> Result<Mesh<T>, Stop> {
+/// Two strips, of one row and of one column; then squares.
+fn extent(size: usize) -> (usize, usize) {
+    match size {
+        1 => (3, 1),
+        2 => (1, 3),
+        n => (n, n),
+    }
+}
+
+fn both<T: Field>(
+    trial: &mut Trial<T>,
+    pair: &MeshPair<T>,
+    (m, n): (usize, usize),
+) -> Result<Mesh<T>, Stop> {
     trial.exhibit("M", &pair.surface);
     trial.exhibit("S", &pair.gauss);
-    planar_lines(trial, &pair.surface, n);
-    planar_lines(trial, &pair.gauss, n);
+    planar_lines(trial, &pair.surface, m, n);
+    planar_lines(trial, &pair.gauss, m, n);
     let f_pair = trial.accepted("f-parallel", FParallel::new(&pair.surface, &pair.gauss))?;
     for face in pair.surface.topology.faces() {
         trial.zero("area(F, S)", f_pair.face_forms(face).mixed_area());
@@ -211,9 +234,9 @@ struct EnneperLines;
 
 impl Identity for EnneperLines {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let n = trial.size();
-        let pair = free_enneper(trial, n, n, Some(THROUGH))?;
-        let dual = both(trial, &pair, n)?;
+        let (m, n) = extent(trial.size());
+        let pair = free_enneper(trial, m, n, Some(THROUGH))?;
+        let dual = both(trial, &pair, (m, n))?;
         multiple(trial, &pair.surface, &dual, &T::from_ratio(1, 4));
         Ok(())
     }
@@ -223,10 +246,10 @@ struct LogarithmoidLines;
 
 impl Identity for LogarithmoidLines {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let n = trial.size();
+        let (m, n) = extent(trial.size());
         let half = free_sector(trial)?;
-        let pair = trial.defined(SECTOR, logarithmoid(n, n, &half).ok())?;
-        let dual = both(trial, &pair, n)?;
+        let pair = trial.defined(SECTOR, logarithmoid(m, n, &half).ok())?;
+        let dual = both(trial, &pair, (m, n))?;
         multiple(trial, &pair.surface, &dual, &half.sin().square());
         Ok(())
     }
@@ -236,10 +259,11 @@ struct BonnetLines;
 
 impl Identity for BonnetLines {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let n = trial.size();
-        let pair = free_bonnet(trial, n, n)?;
-        planar_lines(trial, &pair.surface, n);
-        planar_lines(trial, &pair.gauss, n);
+        let (m, n) = extent(trial.size());
+        let pair = free_bonnet(trial, m, n)?;
+        trial.exhibit("M", &pair.surface);
+        planar_lines(trial, &pair.surface, m, n);
+        planar_lines(trial, &pair.gauss, m, n);
         Ok(())
     }
 }
@@ -248,9 +272,9 @@ struct SaddleLines;
 
 impl Identity for SaddleLines {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let n = trial.size();
-        let pair = trial.accepted("the paraboloid", saddle::<T>(n, n))?;
-        let dual = both(trial, &pair, n)?;
+        let (m, n) = extent(trial.size());
+        let pair = trial.accepted("the paraboloid", saddle::<T>(m, n))?;
+        let dual = both(trial, &pair, (m, n))?;
         multiple(trial, &pair.surface, &dual, &T::from_ratio(1, 4));
         Ok(())
     }
@@ -314,13 +338,41 @@ impl Identity for LogarithmoidPoints {
     }
 }
 
+/// A strip along a ray or a ring.
 struct BonnetPoints;
 
 impl Identity for BonnetPoints {
     fn run<T: Field>(trial: &mut Trial<T>) -> Run {
-        let pair = free_bonnet(trial, 2, 5)?;
+        let (m, n) = if trial.size() == 1 { (2, 5) } else { (5, 2) };
+        let pair = free_bonnet(trial, m, n)?;
         let planes = four_planes(trial, &pair.surface)?;
         concurrent(trial, &planes);
+        Ok(())
+    }
+}
+
+struct Pole;
+
+impl Identity for Pole {
+    fn run<T: Field>(trial: &mut Trial<T>) -> Run {
+        let gradients = ParallelPolygons::free(trial)?.f;
+        let k = gradients.len();
+        let reach: Vec<T> = (0..k).map(|_| trial.free()).collect();
+        let edge = |j: usize| &gradients[(j + 1) % k] - &gradients[j % k];
+        for (j, factor) in reach.iter().enumerate() {
+            trial.parameter("no face of the star is vertical", factor)?;
+            trial.parameter("no face of the star is vertical", &edge(j).det(&edge(j + 1)))?;
+        }
+        let star = trial.accepted("M", star_of(&gradients, &gradients, &reach))?;
+        let by = trial.free_vector3();
+        let points = star.points.iter().map(|p| p + &by).collect();
+        let mesh = Mesh { points, ..star };
+        let dual = trial.accepted("M*", metric_dual(&mesh))?;
+        let plane = trial.accepted("a plane of M*", dual.face_plane(FaceId(0)))?;
+        let pole = mesh.points[0].dual();
+        trial.equal("gradient", &plane.gradient.x, &pole.gradient.x);
+        trial.equal("gradient", &plane.gradient.y, &pole.gradient.y);
+        trial.equal("height", &plane.height, &pole.height);
         Ok(())
     }
 }

@@ -32,19 +32,23 @@ mod trial;
 mod verify;
 
 mod packing;
+mod stars;
 
 mod accuracy;
 mod airy;
 mod christoffel;
 mod curvature;
+mod edge;
 mod isothermic;
 mod laguerre;
 mod lines;
 mod minimal;
 mod parallel;
 mod principal;
+mod quads;
 mod rotational;
 mod space;
+mod stress;
 mod vertex;
 
 pub use control::{Control, Counterexample};
@@ -154,19 +158,22 @@ pub struct Claim {
 }
 
 /// The chapters of the ledger in the order of the paper.
-const CHAPTERS: [&[Claim]; 13] = [
+const CHAPTERS: [&[Claim]; 16] = [
     space::CLAIMS,
     laguerre::CLAIMS,
     parallel::CLAIMS,
     principal::CLAIMS,
     isothermic::CLAIMS,
     curvature::CLAIMS,
+    quads::CLAIMS,
     christoffel::CLAIMS,
     minimal::CLAIMS,
     lines::CLAIMS,
     airy::CLAIMS,
     rotational::CLAIMS,
     vertex::CLAIMS,
+    stress::CLAIMS,
+    edge::CLAIMS,
     accuracy::CLAIMS,
 ];
 
