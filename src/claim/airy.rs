@@ -3,7 +3,7 @@
 use super::lines::free_enneper;
 use super::packing::{has_circles, radii_of, witnessed};
 use super::{
-    Claim, Control, Counterexample, Evidence, Grade, Hypothesis, Identity, Run, Source, Stop, Trial,
+    Claim, Control, Counterexample, Evidence, Grade, Hypothesis, Identity, Run, Source, Trial,
 };
 use crate::construct::transfer::edge_offset_image;
 use crate::construct::{face_circle, vertex_circles};
@@ -14,7 +14,7 @@ use crate::scalar::{Dual, Field, Rational, Ring};
 use crate::space::laguerre::Cone;
 use crate::space::{
     Circle, CylindricalSphere, Gradient, ICircle, MoebiusTransformation, OrientedCircle, Plane,
-    TopView, Vector3,
+    Point, TopView, Vector3,
 };
 
 pub(super) const CLAIMS: &[Claim] = &[Claim {
@@ -31,13 +31,17 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
     ],
     said: Grade::Decided,
     argument: "Δ² at a point sees the 4-jet there, and those of harmonic functions are those of harmonic \
-               polynomials of degree 4. A plane through a vertex with a circle orthogonal to that of the vertex \
+               polynomials of degree 4; constants give |x|². A plane through a vertex with a circle orthogonal to that of the vertex \
                is all that the image of a vertex depends on; so for any number of faces the planes of \
                the images meet over the centre of the image of its circle. Other i-M-inversions differ by \
                motions, scalings, and z -> 2s - z, which keep Δ² f = 0. The edge offsets are those of \
                remark-2-edge-offset, here on the inverted Enneper surface.",
     evidence: &[
-        Evidence::identity::<Biharmonic>("harmonic functions", &[1], &[1]),
+        Evidence::identity::<Biharmonic>(
+            "harmonic functions of degree n",
+            &[1, 2, 3, 4],
+            &[1, 2, 3, 4],
+        ),
         Evidence::identity::<OneFace>("a face at a vertex of any i-isothermic mesh", &[1], &[1]),
         Evidence::identity::<InvertedEnneper>(
             "the inverted Enneper surface and its image under τ",
@@ -113,46 +117,43 @@ impl Identity for Biharmonic {
         let (x, y) = (trial.free(), trial.free());
         let length2 = x.square() + y.square();
         trial.nonzero(OFF_CENTRE, &length2)?;
-        let a: Vec<T> = (0..9).map(|_| trial.free()).collect();
+        let (a, b) = (trial.free(), trial.free());
         // What is not harmonic, and not of the form g + |x|² h with harmonic g, h either.
         let other = trial.constrained(T::zero());
         trial.relation(HARMONIC, other.clone())?;
+        // The map, on numbers.
+        let from = TopView::new(x.clone(), y.clone()).at_height(a.clone());
+        let map = trial.defined(OFF_CENTRE, inversion::<T>())?;
+        let found = trial.defined(OFF_CENTRE, map.map_point(&from).ok())?;
+        let scale = trial.defined(OFF_CENTRE, length2.try_inv())?;
+        let expected = [&from.x * &scale, &from.y * &scale, &from.z * &scale];
+        let [u, v, w] = expected;
+        trial.equal_points("the inverse of a point", &found, &Point::new(u, v, w));
+        let degree = trial.size();
         // The fourth derivative along x or y, twice each.
-        let mut derivative = |first: bool, second: bool| {
+        let derivative = |first: bool, second: bool| {
             let along = [first, first, second, second];
             let (x, y) = (coordinate(x.clone(), along), coordinate(y.clone(), along.map(|d| !d)));
-            let map = trial.defined(OFF_CENTRE, inversion::<Jet<T>>())?;
-            let from = map.map_top_view(&TopView::new(x, y)).ok();
-            let from = trial.defined(OFF_CENTRE, from)?;
-            let (u, v) = (&from.x, &from.y);
             let constant = |value: &T| coordinate(value.clone(), [false; 4]);
-            let number = |n: i64| Jet::<T>::from_i64(n);
-            let (u2, v2) = (u.square(), v.square());
-            let basis = [
-                number(1),
-                u.clone(),
-                v.clone(),
-                &u2 - &v2,
-                u * v,
-                u * (&u2 - number(3) * &v2),
-                v * (number(3) * &u2 - &v2),
-                &u2 * &u2 - number(6) * &u2 * &v2 + &v2 * &v2,
-                u * v * (&u2 - &v2),
-            ];
-            let height = basis
-                .iter()
-                .zip(&a)
-                .fold(u2.square() * constant(&other), |sum, (b, a)| sum + b * constant(a));
-            let image = map.map_point(&from.at_height(height)).ok();
-            let z = trial.defined(OFF_CENTRE, image)?.z;
-            let [third] = z.partials;
+            let length2 = &x * &x + &y * &y;
+            let scale = length2.try_inv()?;
+            let (u, v) = (x * &scale, y * &scale);
+            let (mut re, mut im) = (u.clone(), v.clone());
+            for _ in 1..degree {
+                (re, im) = (&u * &re - &v * &im, &u * &im + &v * &re);
+            }
+            let u2 = &u * &u;
+            let value = re * constant(&a) + im * constant(&b) + &u2 * &u2 * constant(&other);
+            let [third] = (value * length2).partials;
             let [second] = third.partials;
             let [first] = second.partials;
             let [value] = first.partials;
-            Ok::<T, Stop>(value)
+            Some(value)
         };
-        let (xxxx, xxyy) = (derivative(true, true)?, derivative(true, false)?);
-        let yyyy = derivative(false, false)?;
+        let all = [(true, true), (true, false), (false, false)].map(|(a, b)| derivative(a, b));
+        let [xxxx, xxyy, yyyy] = all;
+        let (xxxx, yyyy) = (trial.defined(OFF_CENTRE, xxxx)?, trial.defined(OFF_CENTRE, yyyy)?);
+        let xxyy = trial.defined(OFF_CENTRE, xxyy)?;
         trial.zero("Δ²", xxxx + xxyy * T::from_i64(2) + yyyy);
         Ok(())
     }
