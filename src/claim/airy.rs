@@ -31,17 +31,13 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
     ],
     said: Grade::Decided,
     argument: "Δ² at a point sees the 4-jet there, and those of harmonic functions are those of harmonic \
-               polynomials of degree 4; constants give |x|². A plane through a vertex with a circle orthogonal to that of the vertex \
+               polynomials of degree 4; constants give |x|², linear functions stay. A plane through a vertex with a circle orthogonal to that of the vertex \
                is all that the image of a vertex depends on; so for any number of faces the planes of \
                the images meet over the centre of the image of its circle. Other i-M-inversions differ by \
                motions, scalings, and z -> 2s - z, which keep Δ² f = 0. The edge offsets are those of \
                remark-2-edge-offset, here on the inverted Enneper surface.",
     evidence: &[
-        Evidence::identity::<Biharmonic>(
-            "harmonic functions of degree n",
-            &[1, 2, 3, 4],
-            &[1, 2, 3, 4],
-        ),
+        Evidence::identity::<Biharmonic>("harmonic functions of degree n", &[2, 3, 4], &[2, 3, 4]),
         Evidence::identity::<OneFace>("a face at a vertex of any i-isothermic mesh", &[1], &[1]),
         Evidence::identity::<InvertedEnneper>(
             "the inverted Enneper surface and its image under τ",
@@ -55,7 +51,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
             shows: "f = x⁴",
             counterexample: Counterexample::Unknowns {
                 evidence: 0,
-                size: 1,
+                size: 2,
                 unknowns: &["1", "2"],
                 constrained: &["1"],
             },

@@ -177,8 +177,17 @@ impl Identity for Unique {
             trial.parameter("no three corners lie on a line", &corner)?;
         }
         let by_radii = trial.accepted("the dual", christoffel_by_radii(&mesh, &radii))?.mesh;
-        let by_diagonals = trial.accepted("the dual", christoffel_by_diagonals(&mesh))?.mesh;
+        let by_diagonals = trial.accepted("the dual", christoffel_by_diagonals(&mesh))?;
+        let (factors, by_diagonals) = (by_diagonals.factors, by_diagonals.mesh);
+        trial.equal("ν of the first vertex", &factors[0], &T::one());
         let (a, b) = (trial.made_mesh(by_radii), trial.made_mesh(by_diagonals));
+        for j in 0..4 {
+            let next = (j + 1) % 4;
+            let (e, d) = (&mesh.points[next] - &mesh.points[j], &b.points[next] - &b.points[j]);
+            let factor = &factors[j] * &factors[next];
+            trial.equal("edge", &d.x, &(&e.x * &factor));
+            trial.equal("edge", &d.y, &(&e.y * &factor));
+        }
         for j in 1..4 {
             let (d, e) = (&a.points[1] - &a.points[0], &b.points[1] - &b.points[0]);
             let (p, q) = (&a.points[j] - &a.points[0], &b.points[j] - &b.points[0]);

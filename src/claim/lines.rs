@@ -169,6 +169,9 @@ fn free_bonnet<T: Field>(
         trial.nonzero(THROUGH, &circle.circle().power(&centre))?;
     }
     let pair = trial.defined(THROUGH, bonnet(rings, sectors, &half, &centre).ok())?;
+    for (radius, image) in radii_of(&pair.surface).iter().zip(radii_of(&pair.gauss)) {
+        trial.equal("radii", &(radius * image), &half.sin().square());
+    }
     for face in pair.gauss.topology.faces() {
         let corners = pair.gauss.topology.face(face).iter().take(3);
         let views: Vec<_> = corners.map(|v| pair.gauss.points[v.index()].top_view()).collect();
