@@ -16,7 +16,7 @@
 //! | `parallel` | 3.1 |
 //! | `principal` | 3.2 |
 //! | `isothermic` | 3.4 |
-//! | `curvature`, `christoffel`, `minimal`, `rotational`, `vertex`, `accuracy` | 4 |
+//! | `curvature`, `quads`, `christoffel`, `minimal`, `lines`, `airy`, `rotational`, `vertex`, `stress`, `edge`, `accuracy` | 4 |
 
 use std::fmt;
 

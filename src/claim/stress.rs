@@ -40,7 +40,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "v-offset",
         statement: "Moving the vertices of M by d times the heights of a v-parallel S changes the curvatures \
-                    at vertices polynomially; with constant H, 2dH + K is that of a mesh with constant K.",
+                    at vertices polynomially: the dual of (18).",
         formula: "H(v^d) = H + d,  K(v^d) = K + 2dH + d²",
         source: Source::Ours,
         hypotheses: &[Hypothesis::stated(NOT_VERTICAL), Hypothesis::stated(IMAGE_MEASURE)],
