@@ -9,14 +9,11 @@
 //! - with one number moved, or one hypothesis dropped, it must fail: [`Control`];
 //! - with one instruction of the record made wrong, it must fail: [`mutants`].
 //!
-//! | chapter | section of the paper |
+//! | folder | section of the paper |
 //! | --- | --- |
-//! | `motion`, `space`, `duality`, `moebius` | 2.1 |
-//! | `laguerre` | 2.2 |
-//! | `parallel`, `offset` | 3.1 |
-//! | `principal`, `i_circular`, `inscribed`, `i_conical`, `contact`, `remark_1` | 3.2 |
-//! | `koebe`, `isothermic`, `remark_2` | 3.4 |
-//! | `curvature`, `minkowski`, `minimal`, `vertex` | 4 |
+//! | `sec_2` | isotropic space, its transformations, Laguerre geometry |
+//! | `sec_3` | parallel, i-circular, i-conical, i-isothermic meshes |
+//! | `sec_4` | curvatures, Christoffel duals, i-minimal meshes |
 
 use std::fmt;
 
@@ -25,33 +22,14 @@ mod decide;
 mod draw;
 mod evidence;
 mod example;
-mod instance;
 mod ledger;
 mod mutant;
 mod sample;
+mod sec_2;
+mod sec_3;
+mod sec_4;
 mod trial;
 mod verify;
-
-mod contact;
-mod curvature;
-mod duality;
-mod i_circular;
-mod i_conical;
-mod inscribed;
-mod isothermic;
-mod koebe;
-mod laguerre;
-mod minimal;
-mod minkowski;
-mod moebius;
-mod motion;
-mod offset;
-mod parallel;
-mod principal;
-mod remark_1;
-mod remark_2;
-mod space;
-mod vertex;
 
 pub use control::{Control, Counterexample};
 pub use decide::{Condition, Decision, Undecided};
@@ -159,36 +137,12 @@ pub struct Claim {
     pub controls: &'static [Control],
 }
 
-/// The chapters of the ledger in the order of the paper.
-const CHAPTERS: &[&[Claim]] = &[
-    motion::CLAIMS,
-    space::CLAIMS,
-    duality::CLAIMS,
-    moebius::CLAIMS,
-    laguerre::CLAIMS,
-    laguerre::group::CLAIMS,
-    parallel::CLAIMS,
-    offset::vertex::CLAIMS,
-    offset::edge::CLAIMS,
-    offset::face::CLAIMS,
-    principal::CLAIMS,
-    i_circular::CLAIMS,
-    inscribed::CLAIMS,
-    i_conical::CLAIMS,
-    contact::CLAIMS,
-    remark_1::CLAIMS,
-    koebe::CLAIMS,
-    isothermic::CLAIMS,
-    remark_2::CLAIMS,
-    curvature::CLAIMS,
-    minkowski::CLAIMS,
-    minimal::CLAIMS,
-    vertex::CLAIMS,
-];
+/// The claims of the sections.
+const SECTIONS: [&[&[Claim]]; 3] = [sec_2::CLAIMS, sec_3::CLAIMS, sec_4::CLAIMS];
 
 /// All claims in the order of the paper.
 pub fn claims() -> impl Iterator<Item = &'static Claim> {
-    CHAPTERS.iter().copied().flatten()
+    SECTIONS.into_iter().flatten().copied().flatten()
 }
 
 /// The claim of this name.

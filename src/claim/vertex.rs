@@ -1,5 +1,0 @@
-//! Sec. 4: curvatures at vertices.
-
-use super::Claim;
-
-pub(super) const CLAIMS: &[Claim] = &[];
