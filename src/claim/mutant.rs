@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::decide::{Record, is_library};
 use super::{Claim, Evidence};
-use crate::scalar::{Instruction, Mutation, NodeId, Prime61, Rational};
+use crate::scalar::{Evaluation, Instruction, Mutation, NodeId, Prime61, Rational};
 
 /// What became of the mutants of one line of the source.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -54,6 +54,7 @@ fn tally(
     if point.len() < program.unknowns() {
         return;
     }
+    let Some(evaluation) = Evaluation::of(program, &point, &goals) else { return };
     let slice = program.slice(&goals);
     let zero = Instruction::Constant(0);
     let wrongable = |n: &NodeId| slice[n.index()] && program.instruction(*n) != zero;
@@ -65,7 +66,7 @@ fn tally(
         }
         let tally: &mut MutantTally = tallies.entry((file, place.line())).or_default();
         for mutation in MUTATIONS {
-            let values = program.evaluate_mutant(&point, &goals, (node, mutation));
+            let values = evaluation.mutant(node, mutation);
             let noticed = values.is_none_or(|v| v.iter().any(|x| *x != Prime61::from_u64(0)));
             if !noticed {
                 tally.survived += 1;

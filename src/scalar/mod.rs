@@ -58,8 +58,8 @@ pub use rational::{Rational, RationalField};
 pub use residue::Residue;
 pub use ring::{DivRef, Field, Ring, RingRef, Same, det3};
 pub use symbol::{
-    Branch, Degrees, Instruction, Mutation, NodeId, NormalForms, Outcome, Polynomial, Program,
-    Quotient, Symbol, TooLarge, record,
+    Branch, Degrees, Evaluation, Instruction, Mutation, NodeId, NormalForms, Outcome, Polynomial,
+    Program, Quotient, Symbol, TooLarge, record,
 };
 pub use variation::Variation;
 pub use wide::Wide;

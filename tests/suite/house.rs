@@ -145,6 +145,20 @@ fn the_readme_shows_what_the_program_prints() {
 }
 
 #[test]
+#[cfg(feature = "cli")]
+fn the_readme_shows_the_first_claims() {
+    let page = fs::read_to_string(root().join("README.md")).expect("README.md");
+    let (_, block) = page.split_once("```console\n$ isogeo claims list\n").expect("a session");
+    let (shown, _) = block.split_once("...\n```").expect("the end of the block");
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_isogeo"))
+        .args(["claims", "list"])
+        .output()
+        .expect("the program runs");
+    assert!(String::from_utf8_lossy(&output.stdout).starts_with(shown), "{shown}");
+    assert_eq!(shown.lines().count(), 8);
+}
+
+#[test]
 fn documents_name_what_is_there() {
     let page = fs::read_to_string(root().join("README.md")).expect("README.md");
     let folders = page.lines().filter_map(|l| l.strip_prefix("| `")?.split('`').next());

@@ -5,11 +5,13 @@
 //! is then decided for all values of the unknowns at once, by the [`NormalForms`] of rational
 //! functions.
 
+mod evaluation;
 mod normal_form;
 mod polynomial;
 mod program;
 mod tape;
 
+pub use evaluation::Evaluation;
 pub use normal_form::{NormalForms, Quotient};
 pub use polynomial::{Polynomial, TooLarge};
 pub use program::{Branch, Degrees, Instruction, Mutation, NodeId, Outcome, Program};

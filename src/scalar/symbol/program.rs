@@ -2,6 +2,7 @@
 
 use std::panic::Location;
 
+use super::Evaluation;
 use crate::scalar::{Field, Rational, Ring, Sign};
 
 /// A node of a [`Program`]: the result of one instruction.
@@ -61,7 +62,7 @@ impl Instruction {
     }
 
     /// Its value with a mistake.
-    fn mutate<T: Field>(
+    pub(super) fn mutate<T: Field>(
         self,
         mutation: Mutation,
         unknowns: &[T],
@@ -85,7 +86,7 @@ impl Instruction {
     }
 }
 
-/// What one wrong instruction does: see [`Program::evaluate_mutant`].
+/// What one wrong instruction does: see [`Evaluation::mutant`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mutation {
     /// `+` becomes `−` and back; any other result changes its sign.
@@ -237,38 +238,7 @@ impl Program {
 
     /// The values of the goals at given values of the unknowns; `None` where that divides by zero.
     pub fn evaluate<T: Field>(&self, unknowns: &[T], goals: &[NodeId]) -> Option<Vec<T>> {
-        self.run(unknowns, goals, None)
-    }
-
-    /// The same with one wrong instruction.
-    pub fn evaluate_mutant<T: Field>(
-        &self,
-        unknowns: &[T],
-        goals: &[NodeId],
-        wrong: (NodeId, Mutation),
-    ) -> Option<Vec<T>> {
-        self.run(unknowns, goals, Some(wrong))
-    }
-
-    fn run<T: Field>(
-        &self,
-        unknowns: &[T],
-        goals: &[NodeId],
-        wrong: Option<(NodeId, Mutation)>,
-    ) -> Option<Vec<T>> {
-        let slice = self.slice(goals);
-        let mut values: Vec<Option<T>> = Vec::with_capacity(self.instructions.len());
-        for (node, needed) in self.nodes().zip(slice) {
-            let of = |n: NodeId| values[n.index()].clone().unwrap_or_else(T::zero);
-            let instruction = self.instructions[node.index()];
-            let mutation = wrong.filter(|w| w.0 == node).map(|w| w.1);
-            values.push(match (needed, mutation) {
-                (false, _) => None,
-                (true, None) => Some(instruction.evaluate(unknowns, of)?),
-                (true, Some(mutation)) => Some(instruction.mutate(mutation, unknowns, of)?),
-            });
-        }
-        goals.iter().map(|g| values[g.index()].clone()).collect()
+        Some(Evaluation::of(self, unknowns, goals)?.goals())
     }
 
     /// Degrees in the unknowns, with no cancellation assumed: upper bounds for every node.

@@ -1,8 +1,8 @@
 //! Symbols: a record does what the code did, and its normal form is the same function.
 
 use isogeo::scalar::{
-    Field, Mutation, NormalForms, Outcome, Polynomial, Program, Rational, Ring, Symbol, TooLarge,
-    record,
+    Evaluation, Field, Mutation, NormalForms, Outcome, Polynomial, Program, Rational, Ring, Symbol,
+    TooLarge, record,
 };
 use proptest::array::uniform4;
 
@@ -125,9 +125,10 @@ fn a_mutant_computes_something_else() {
         x + y
     });
     let at = [5, 3].map(Rational::from_i64);
-    let wrong = |mutation| {
-        program.evaluate_mutant(&at, &[sum.node()], (sum.node(), mutation)).map(|v| v[0].clone())
-    };
+    let goals = [sum.node()];
+    let evaluation = Evaluation::of(&program, &at, &goals).expect("no division");
+    assert_eq!(evaluation.goals(), [Rational::from_i64(8)]);
+    let wrong = |mutation| evaluation.mutant(sum.node(), mutation).map(|v| v[0].clone());
     let expected = [2, 6, 16].map(|n| Some(Rational::from_i64(n)));
     assert_eq!([Mutation::Sign, Mutation::Index, Mutation::Factor].map(wrong), expected);
 }
