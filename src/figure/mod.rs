@@ -5,11 +5,14 @@
 
 pub mod draw;
 mod exhibit;
+mod fig_06;
 mod fig_08;
+mod fig_09;
 mod files;
+mod lines;
 mod sheet;
 
-pub use exhibit::{Exhibit, NotSo};
+pub use exhibit::{Exhibit, NotSo, Remark};
 pub use files::Kind;
 
 use std::fmt;
@@ -75,7 +78,7 @@ impl From<TopologyError> for NoFigure {
 
 impl Figure {
     /// All figures, in the order of the paper.
-    pub const ALL: [Figure; 1] = [fig_08::FIGURE];
+    pub const ALL: [Figure; 3] = [fig_06::FIGURE, fig_08::FIGURE, fig_09::FIGURE];
 
     /// Makes the meshes, checks what the figure says of them, and draws.
     ///
