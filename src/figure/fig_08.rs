@@ -7,7 +7,7 @@ use super::{Exhibit, Figure, NoFigure, Plate, Surface};
 use crate::construct::minimal::{MeshPair, bonnet, enneper};
 use crate::net::Property;
 use crate::pair::PairProperty;
-use crate::scalar::{Field, Rational};
+use crate::scalar::{Field, Rational, Ring};
 use crate::space::{Motion, Rotation, TopView, Transform, Vector2, Vector3};
 
 pub(super) const FIGURE: Figure = Figure {
@@ -36,14 +36,24 @@ pub(super) fn surfaces() -> Result<[MeshPair<Rational>; 2], NoFigure> {
     let pair = enneper(SIDE, SIDE, &centre).map_err(NoFigure::of)?;
     let enneper = unsheared(pair, &centre);
     let half_sector = Rotation::new(q(40, 41), q(9, 41)).map_err(NoFigure::of)?;
-    let turn = (0..SECTORS).fold(Rotation::identity(), |turn, _| turn.then(&half_sector));
-    // The middle ring has the radius (25/16)^4; infinity goes to the centre, 0 to c - c/|c|^2.
-    let radius = (0..RINGS / 2).fold(q(-1, 1), |radius, _| radius * q(25, 16));
-    let middle = &radius - q(1, 2) / &radius;
+    Ok([enneper, bonnet_patch([RINGS, SECTORS], &half_sector, &q(25, 16))?])
+}
+
+/// Bonnet's surface with its planes of symmetry upright over the axes: the circles are inverted
+/// opposite the middle of the middle ring. The `ratio` of the rings is that of the sector.
+pub(super) fn bonnet_patch(
+    [rings, sectors]: [usize; 2],
+    half_sector: &Rotation<Rational>,
+    ratio: &Rational,
+) -> Result<MeshPair<Rational>, NoFigure> {
+    let turn = (0..sectors).fold(Rotation::identity(), |turn, _| turn.then(half_sector));
+    let radius = (0..rings / 2).fold(Rational::from_i64(-1), |radius, _| radius * ratio);
+    // Infinity goes to the centre c, 0 to c - c/|c|^2.
+    let middle = &radius - Rational::from_ratio(1, 2) / &radius;
     let on_axis = |radius: &Rational| TopView::new(radius * turn.cos(), radius * turn.sin());
-    let pair = bonnet(RINGS, SECTORS, &half_sector, &on_axis(&radius)).map_err(NoFigure::of)?;
+    let pair = bonnet(rings, sectors, half_sector, &on_axis(&radius)).map_err(NoFigure::of)?;
     let bonnet = unsheared(pair, &on_axis(&middle));
-    Ok([enneper, moved(bonnet, |_| Motion { rotation: turn.inverse(), ..Motion::identity() })])
+    Ok(moved(bonnet, |_| Motion { rotation: turn.inverse(), ..Motion::identity() }))
 }
 
 /// The pair without the shear by this gradient; S touches the unit i-sphere afterwards as before.

@@ -5,11 +5,20 @@
 
 pub mod draw;
 mod exhibit;
+mod fig_01;
+mod fig_02;
+mod fig_03;
+mod fig_04;
+mod fig_05;
 mod fig_06;
+mod fig_07;
 mod fig_08;
 mod fig_09;
+mod fig_10;
+mod fig_11;
 mod files;
 mod lines;
+mod nets;
 mod sheet;
 
 pub use exhibit::{Exhibit, NotSo, Remark};
@@ -78,7 +87,19 @@ impl From<TopologyError> for NoFigure {
 
 impl Figure {
     /// All figures, in the order of the paper.
-    pub const ALL: [Figure; 3] = [fig_06::FIGURE, fig_08::FIGURE, fig_09::FIGURE];
+    pub const ALL: [Figure; 11] = [
+        fig_01::FIGURE,
+        fig_02::FIGURE,
+        fig_03::FIGURE,
+        fig_04::FIGURE,
+        fig_05::FIGURE,
+        fig_06::FIGURE,
+        fig_07::FIGURE,
+        fig_08::FIGURE,
+        fig_09::FIGURE,
+        fig_10::FIGURE,
+        fig_11::FIGURE,
+    ];
 
     /// Makes the meshes, checks what the figure says of them, and draws.
     ///

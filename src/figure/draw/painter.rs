@@ -97,8 +97,8 @@ impl Plane {
 
 /// The plane of a face that cuts few others, out of a few.
 fn splitter(set: &[Piece]) -> Option<Plane> {
-    const CANDIDATES: usize = 7;
-    const WITNESSES: usize = 61;
+    const CANDIDATES: usize = 31;
+    const WITNESSES: usize = 127;
     let faces: Vec<&Piece> = set.iter().filter(|p| matches!(p, Piece::Face { .. })).collect();
     if set.len() < 2 || faces.is_empty() {
         return None;
@@ -114,7 +114,7 @@ fn splitter(set: &[Piece]) -> Option<Plane> {
             sides[0] += i64::from(low < 0.0);
             sides[1] += i64::from(high > 0.0);
         }
-        8 * cuts + (sides[0] - sides[1]).abs()
+        64 * cuts + (sides[0] - sides[1]).abs()
     };
     let first = faces.iter().find_map(|face| Plane::of(face));
     planes.min_by_key(cost).or(first)
