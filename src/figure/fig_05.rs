@@ -22,12 +22,12 @@ pub(super) const FIGURE: Figure = Figure {
 };
 
 fn make() -> Result<Plate, NoFigure> {
-    let mut scene = Scene::new(160.0, 62.0);
+    let mut scene = Scene::new(160.0, 46.0);
     let mut exhibits = Vec::new();
     for (level, name) in ["m0", "m1", "m2"].into_iter().enumerate() {
         let mesh = conical(1 << level)?;
         let x = 2.0 + 53.0 * level as f64;
-        scene.place(seen(solid(&mesh), [3.0, -4.0, 6.0], 0.4), [x, 9.0], [50.0, 51.0]);
+        scene.place(seen(solid(&mesh), [1.0, -4.0, 6.0], 0.5), [x, 9.0], [50.0, 35.0]);
         scene.text([x + 25.0, 3.0], 3.0, Anchor::Middle, format!("M{level}"));
         exhibits.push(Exhibit::new(name, mesh).is(&[Property::Planar, Property::IConical]));
     }

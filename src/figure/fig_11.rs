@@ -12,7 +12,7 @@ pub(super) const FIGURE: Figure = Figure {
     number: 11,
     title: "curvatures at vertices of a triangle mesh",
     caption: "Samples of z = (x^3 - 3xy^2)/12 + (x^4 + y^4)/32 - x^2/4 in the points of a triangular \
-              lattice, rows of 17 points at distance 1/4, 13/60 apart and shifted by half a step. \
+              lattice, 15 rows of 13 points at distance 1/3, 13/45 apart and shifted by half a step. \
               Beside it the graphs of H and K at the inner vertices, from formula (22) with the lift to the \
               unit i-sphere, and under them those of the true values. Blue is negative, red positive; \
               computed and true values have one scale. H differs by less than 1/100, K by less \
@@ -22,7 +22,7 @@ pub(super) const FIGURE: Figure = Figure {
 };
 
 /// Points in a row, and rows.
-const SIZE: [usize; 2] = [17, 17];
+const SIZE: [usize; 2] = [13, 15];
 
 fn make() -> Result<Plate, NoFigure> {
     let mesh = samples()?;
@@ -37,7 +37,7 @@ fn make() -> Result<Plate, NoFigure> {
     for (x, pair, label) in [(58.0, [&mean, &true_mean], "H"), (110.0, [&gauss, &true_gauss], "K")]
     {
         for (mesh, y, what) in [(pair[0], 46.0, "(22)"), (pair[1], 5.0, "true")] {
-            scene.place(seen(colored(mesh), VIEWER, 0.35), [x, y], [48.0, 36.0]);
+            scene.place(seen(colored(mesh, pair[1]), VIEWER, 0.35), [x, y], [48.0, 36.0]);
             scene.text([x + 2.0, y + 1.0], 2.8, Anchor::Start, format!("{label}, {what}"));
         }
     }
@@ -67,8 +67,8 @@ fn samples() -> Result<Surface, NoFigure> {
     let q = |p: usize, shift: i64, d: i64| Rational::from_ratio(p as i64 + shift, d);
     let point = |index: usize| {
         let (j, i) = (index / width, index % width);
-        let x = q(2 * i + j % 2, -(width as i64), 8);
-        let y = q(2 * j, 1 - rows as i64, 1) * Rational::from_ratio(13, 120);
+        let x = q(2 * i + j % 2, -(width as i64), 6);
+        let y = q(2 * j, 1 - rows as i64, 1) * Rational::from_ratio(13, 90);
         let at = crate::space::TopView::new(x, y);
         let z = height.value_at(&at);
         at.at_height(z)
@@ -122,9 +122,9 @@ fn diagram(
     Ok(Mesh::new(points, faces)?)
 }
 
-/// A diagram with the colours of its values.
-fn colored(mesh: &Surface) -> Model {
-    let size = mesh.points.iter().fold(0.0_f64, |m, p| m.max(p.z.to_f64().abs()));
+/// A diagram with the colours of its values, full where another has its greatest.
+fn colored(mesh: &Surface, scale: &Surface) -> Model {
+    let size = scale.points.iter().fold(0.0_f64, |m, p| m.max(p.z.to_f64().abs()));
     let mut model = Model::default();
     let stroke = Stroke::new(Color::INK, 0.08);
     model.add_mesh(mesh, stroke, |face| {
