@@ -43,7 +43,7 @@ fn make() -> Result<Plate, NoFigure> {
     }
     let mut scene = Scene::new(160.0, 58.0);
     let mut model = marked(&mesh);
-    let moved = marked(&parallel).map(|[x, y, z]| [x + 14.0, y + 2.8, z]);
+    let moved = marked(&parallel).map(|[x, y, z]| [x + 14.0, y + 4.4, z]);
     model.pieces.extend(moved.pieces);
     scene.place(seen(model, [1.0, -5.0, 4.0], 0.2), [2.0, 9.0], [156.0, 47.0]);
     scene.text([40.0, 3.0], 3.0, Anchor::Middle, "M");
@@ -59,7 +59,7 @@ fn make() -> Result<Plate, NoFigure> {
 
 /// A mesh with one face and one edge of it marked.
 fn marked(mesh: &Surface) -> Model {
-    const MARKED: FaceId = FaceId(13);
+    const MARKED: FaceId = FaceId(16);
     const MARK: Stroke = Stroke::new(Color::CIRCLE, 0.7);
     let mut model = Model::default();
     let paint = |face| if face == MARKED { Paint::Flat(Color::CIRCLE.lit(1.6)) } else { SURFACE };

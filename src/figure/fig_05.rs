@@ -12,7 +12,7 @@ pub(super) const FIGURE: Figure = Figure {
     number: 5,
     title: "i-conical meshes of rising fineness",
     caption: "Meshes of 4 by 3, 8 by 6 and 16 by 12 faces: the metric duals of the nets \
-              z = -x^2/2 - x^4/160 + y^2/3 + y^3/40 over grids of step 8/5, 4/5 and 2/5 after the \
+              z = -x^2/2 - x^4/160 + y^2/2 + y^3/60 over grids of step 8/5, 4/5 and 2/5 after the \
               inversion at (2, -9, 0) with r^2 = 64. Each is exactly i-conical, and they sample one \
               smooth surface, the dual of the inverted one. Heights are scaled. The paper's meshes, \
               from subdivision and optimisation, and the one fitted to a given surface wait for the \
@@ -27,7 +27,7 @@ fn make() -> Result<Plate, NoFigure> {
     for (level, name) in ["m0", "m1", "m2"].into_iter().enumerate() {
         let mesh = conical(1 << level)?;
         let x = 2.0 + 53.0 * level as f64;
-        scene.place(seen(solid(&mesh), [1.0, -4.0, 6.0], 0.5), [x, 9.0], [50.0, 35.0]);
+        scene.place(seen(solid(&mesh), [4.0, -3.0, 4.0], 0.4), [x, 9.0], [50.0, 35.0]);
         scene.text([x + 25.0, 3.0], 3.0, Anchor::Middle, format!("M{level}"));
         exhibits.push(Exhibit::new(name, mesh).is(&[Property::Planar, Property::IConical]));
     }
@@ -38,7 +38,7 @@ fn make() -> Result<Plate, NoFigure> {
 fn conical(fine: i64) -> Result<Surface, NoFigure> {
     let step = Rational::from_ratio(8, 5 * fine);
     let f = polynomial(&[(0, 1), (0, 1), (-1, 2), (0, 1), (-1, 160)]);
-    let g = polynomial(&[(0, 1), (0, 1), (1, 3), (1, 40)]);
+    let g = polynomial(&[(0, 1), (0, 1), (1, 2), (1, 60)]);
     let net = inverted_net(
         &profile(4 * fine + 1, &step, f),
         &profile(3 * fine + 1, &step, g),

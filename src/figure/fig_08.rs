@@ -81,8 +81,8 @@ fn make() -> Result<Plate, NoFigure> {
     let mut scene = Scene::new(160.0, 118.0);
     place(&mut scene, &left, 2.0, [3.0, -5.0, 3.6], 0.9);
     place(&mut scene, &right, 83.0, [3.0, -5.0, 3.2], 0.55);
-    scene.text([4.0, 112.0], 3.4, Anchor::Start, "Enneper");
-    scene.text([85.0, 112.0], 3.4, Anchor::Start, "Bonnet");
+    scene.text([4.0, 113.0], 3.4, Anchor::Start, "Enneper");
+    scene.text([85.0, 113.0], 3.4, Anchor::Start, "Bonnet");
     let enneper = exhibits("enneper", "enneper-gauss", left, |m| planar_lines(&m.points, SIDE + 1));
     let bonnet =
         exhibits("bonnet", "bonnet-gauss", right, |m| planar_lines(&m.points, SECTORS + 1));
@@ -108,7 +108,7 @@ fn exhibits(
 
 /// A surface above its top view and that of its Gauss image.
 fn place(scene: &mut Scene, pair: &MeshPair<Rational>, x: f64, viewer: [f64; 3], rise: f64) {
-    scene.place(seen(solid(&pair.surface), viewer, rise), [x, 50.0], [75.0, 64.0]);
+    scene.place(seen(solid(&pair.surface), viewer, rise), [x, 50.0], [75.0, 60.0]);
     scene.place(top_view(&pair.surface), [x, 9.0], [36.0, 37.0]);
     scene.place(top_view(&pair.gauss), [x + 39.0, 9.0], [36.0, 37.0]);
     scene.text([x + 18.0, 3.0], 2.8, Anchor::Middle, "M'");

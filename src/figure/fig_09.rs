@@ -34,11 +34,11 @@ fn make() -> Result<Plate, NoFigure> {
         &left.surface,
         2.0,
         |f| middle(f / (SIDE - 1)) && middle(f % (SIDE - 1)),
-        0.7,
+        ([3.0, -5.0, 3.4], 0.7),
     );
-    place(&mut scene, &right.surface, 83.0, |f| ends(f % (SECTORS - 1)), 1.0);
-    scene.text([4.0, 112.0], 3.4, Anchor::Start, "dual of Enneper");
-    scene.text([85.0, 112.0], 3.4, Anchor::Start, "dual of Bonnet");
+    place(&mut scene, &right.surface, 83.0, |f| ends(f % (SECTORS - 1)), ([0.8, -5.0, 4.0], 0.6));
+    scene.text([4.0, 113.0], 3.4, Anchor::Start, "dual of Enneper");
+    scene.text([85.0, 113.0], 3.4, Anchor::Start, "dual of Bonnet");
     let enneper =
         exhibits("enneper-dual", "enneper-dual-gauss", left, |m| concurrent_lines(m, SIDE - 1));
     let bonnet =
@@ -73,13 +73,19 @@ fn exhibits(
 }
 
 /// A dual above its top view, without the faces that reach far out.
-fn place(scene: &mut Scene, mesh: &Surface, x: f64, far: impl Fn(usize) -> bool, rise: f64) {
+fn place(
+    scene: &mut Scene,
+    mesh: &Surface,
+    x: f64,
+    far: impl Fn(usize) -> bool,
+    (viewer, rise): ([f64; 3], f64),
+) {
     let kept = |mut model: Model| {
         let pieces = model.pieces.into_iter().enumerate();
         model.pieces = pieces.filter(|(face, _)| !far(*face)).map(|(_, piece)| piece).collect();
         model
     };
-    let above = seen(kept(solid(mesh)), [3.0, -5.0, 3.4], rise);
-    scene.place(above, [x, 50.0], [75.0, 64.0]);
+    let above = seen(kept(solid(mesh)), viewer, rise);
+    scene.place(above, [x, 50.0], [75.0, 60.0]);
     scene.place(painted(&kept(flat(mesh)), &View::TOP), [x + 15.0, 4.0], [45.0, 42.0]);
 }

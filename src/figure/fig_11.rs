@@ -1,11 +1,11 @@
 //! Fig. 11: curvatures at the vertices of a triangle mesh, beside the true ones.
 
-use super::draw::{Anchor, Color, Item, Model, Paint, Scene, Stroke};
+use super::draw::{Anchor, Color, Model, Paint, Scene, Stroke};
 use super::sheet::{seen, solid};
 use super::{Exhibit, Figure, NoFigure, Plate, Surface};
 use crate::construct::accuracy::vertex_curvatures;
 use crate::mesh::{FaceList, Mesh, VertexId};
-use crate::scalar::{Approx, Field, Ordered, Rational, Ring};
+use crate::scalar::{Approx, Field, Ordered, Rational};
 use crate::space::{Graph, Jet2, Point, Polynomial};
 
 pub(super) const FIGURE: Figure = Figure {

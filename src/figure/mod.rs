@@ -17,12 +17,14 @@ mod fig_09;
 mod fig_10;
 mod fig_11;
 mod files;
+mod gallery;
 mod lines;
 mod nets;
 mod sheet;
 
 pub use exhibit::{Exhibit, NotSo, Remark};
 pub use files::Kind;
+pub use gallery::gallery;
 
 use std::fmt;
 

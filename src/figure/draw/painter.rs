@@ -89,10 +89,11 @@ impl Plane {
         Some(Plane { normal, offset })
     }
 
-    /// On which side a point lies; what is nearer than some roundings lies on the plane.
+    /// On which side a point lies; what is nearer than the roundings of the planes of small faces
+    /// lies on the plane.
     fn side(&self, p: [f64; 3], size: f64) -> f64 {
         let distance = dot(self.normal, p) - self.offset;
-        if distance.abs() <= 4096.0 * f64::EPSILON * size { 0.0 } else { distance }
+        if distance.abs() <= f64::from(1 << 20) * f64::EPSILON * size { 0.0 } else { distance }
     }
 
     /// Puts a piece behind, on or before the plane, or its parts.
@@ -114,8 +115,8 @@ impl Plane {
 
 /// The plane of a face that cuts few others, out of a few.
 fn splitter(set: &[Part], size: f64) -> Option<Plane> {
-    const CANDIDATES: usize = 31;
-    const WITNESSES: usize = 127;
+    const CANDIDATES: usize = 64;
+    const WITNESSES: usize = 512;
     let faces: Vec<&Plane> = set.iter().filter_map(|part| part.plane.as_ref()).collect();
     if set.len() < 2 {
         return None;
