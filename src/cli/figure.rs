@@ -2,13 +2,14 @@
 
 use std::fmt::Write as _;
 use std::fs;
+use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
 use super::arguments::{FigureKind, FigureOptions, Layout};
 use super::failure::Failure;
 use super::{Status, output};
-use crate::figure::{Figure, Kind};
+use crate::figure::{Figure, Kind, gallery};
 use crate::mesh::file::write_whole;
 
 /// Makes figures and writes or compares their files.
@@ -17,38 +18,45 @@ pub fn run(options: &FigureOptions, layout: Layout) -> Result<Status, Failure> {
     let kinds: Vec<Kind> = options.kinds.iter().map(|kind| (*kind).into()).collect();
     let kinds = if kinds.is_empty() { Kind::ALL.to_vec() } else { kinds };
     let bar = output::slow_steps(figures.len(), "figures");
-    let (mut text, mut drifted, mut written) = (String::new(), Vec::new(), Vec::new());
-    for figure in &figures {
+    let mut text = String::new();
+    let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
+    let mut plates = Vec::new();
+    for figure in figures {
         let plate = figure.plate().map_err(|why| {
             Failure::usage(format!("figure {} cannot be drawn: {why}", figure.number))
         })?;
-        let folder = options.out.join(figure.folder());
-        if !options.check {
-            fs::create_dir_all(&folder)
-                .map_err(|e| Failure::io(format!("{}: {e}", folder.display())))?;
-        }
         for &kind in &kinds {
-            for (name, contents) in figure.files(&plate, kind)? {
-                let path = folder.join(name);
-                let name = path.display().to_string();
-                if !options.check {
-                    write_whole(&path, &contents)?;
-                    written.push(name);
-                } else if let Some(place) = difference(&fs::read(&path).ok(), &contents) {
-                    // Writing to a string does not fail.
-                    let _ = writeln!(text, "{name}: {place}");
-                    drifted.push(json!({ "file": name, "place": place }));
-                }
-            }
+            let own = figure.files(&plate, kind)?.into_iter();
+            files.extend(own.map(|(name, text)| (Path::new(&figure.folder()).join(name), text)));
         }
+        plates.push((figure, plate));
         bar.inc(1);
+        // Writing to a string does not fail.
         let _ = writeln!(text, "Fig. {}: {}", figure.number, figure.title);
     }
     bar.finish_and_clear();
+    if options.id == "all" && kinds.contains(&Kind::Svg) {
+        files.push(("README.md".into(), gallery(&plates).into_bytes()));
+    }
+    let (mut drifted, mut written) = (Vec::new(), Vec::new());
+    for (name, contents) in files {
+        let path = options.out.join(name);
+        let name = path.display().to_string();
+        if !options.check {
+            let folder = path.parent().unwrap_or(&options.out);
+            fs::create_dir_all(folder)
+                .map_err(|e| Failure::io(format!("{}: {e}", folder.display())))?;
+            write_whole(&path, &contents)?;
+            written.push(name);
+        } else if let Some(place) = difference(&fs::read(&path).ok(), &contents) {
+            let _ = writeln!(text, "{name}: {place}");
+            drifted.push(json!({ "file": name, "place": place }));
+        }
+    }
     if layout.is_json() {
         output::print_json(&json!({
             "schema": "isogeo.figures/1",
-            "figures": figures.iter().map(|f| f.number).collect::<Vec<_>>(),
+            "figures": plates.iter().map(|(f, _)| f.number).collect::<Vec<_>>(),
             "written": written,
             "drifted": drifted,
         }))?;

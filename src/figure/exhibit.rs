@@ -21,6 +21,17 @@ pub struct Exhibit {
     pub holds: Vec<Property>,
     /// What holds with another exhibit, by its name, as S.
     pub with: Vec<(&'static str, PairProperty)>,
+    /// What else the figure shows of it.
+    pub shown: Vec<Remark>,
+}
+
+/// Something that only a figure says of a mesh, in words and as an exact test.
+#[derive(Clone, Copy, Debug)]
+pub struct Remark {
+    /// The words.
+    pub says: &'static str,
+    /// The test.
+    pub test: fn(&Surface) -> bool,
 }
 
 /// Something that a figure says does not hold.
@@ -43,7 +54,7 @@ impl fmt::Display for NotSo {
 impl Exhibit {
     /// A mesh of which nothing is said.
     pub fn new(name: &'static str, mesh: Surface) -> Self {
-        Exhibit { name, mesh, holds: Vec::new(), with: Vec::new() }
+        Exhibit { name, mesh, holds: Vec::new(), with: Vec::new(), shown: Vec::new() }
     }
 
     /// The same with properties of the mesh alone.
@@ -55,6 +66,12 @@ impl Exhibit {
     /// The same with properties of the pair with another exhibit.
     pub fn with(mut self, image: &'static str, properties: &[PairProperty]) -> Self {
         self.with.extend(properties.iter().map(|p| (image, *p)));
+        self
+    }
+
+    /// The same with a remark.
+    pub fn shows(mut self, says: &'static str, test: fn(&Surface) -> bool) -> Self {
+        self.shown.push(Remark { says, test });
         self
     }
 
@@ -96,6 +113,9 @@ impl Exhibit {
                 Err(_) => return not(property.name(), Verdict::Refuted),
             }
         }
-        Ok(())
+        match self.shown.iter().find(|remark| !(remark.test)(&self.mesh)) {
+            Some(remark) => not(remark.says, Verdict::Refuted),
+            None => Ok(()),
+        }
     }
 }

@@ -5,13 +5,27 @@
 
 pub mod draw;
 mod exhibit;
+mod fig_01;
+mod fig_02;
+mod fig_03;
+mod fig_04;
+mod fig_05;
+mod fig_06;
+mod fig_07;
 mod fig_08;
+mod fig_09;
+mod fig_10;
+mod fig_11;
 mod files;
+mod gallery;
+mod lines;
+mod nets;
 pub mod page;
 mod sheet;
 
-pub use exhibit::{Exhibit, NotSo};
+pub use exhibit::{Exhibit, NotSo, Remark};
 pub use files::Kind;
+pub use gallery::gallery;
 
 use std::fmt;
 
@@ -76,7 +90,19 @@ impl From<TopologyError> for NoFigure {
 
 impl Figure {
     /// All figures, in the order of the paper.
-    pub const ALL: [Figure; 1] = [fig_08::FIGURE];
+    pub const ALL: [Figure; 11] = [
+        fig_01::FIGURE,
+        fig_02::FIGURE,
+        fig_03::FIGURE,
+        fig_04::FIGURE,
+        fig_05::FIGURE,
+        fig_06::FIGURE,
+        fig_07::FIGURE,
+        fig_08::FIGURE,
+        fig_09::FIGURE,
+        fig_10::FIGURE,
+        fig_11::FIGURE,
+    ];
 
     /// Makes the meshes, checks what the figure says of them, and draws.
     ///

@@ -16,18 +16,50 @@ pub(super) const OTHER: Stroke = Stroke::new(Color::OTHER_CIRCLE, 0.14);
 /// Both sides of a surface.
 pub(super) const SURFACE: Paint = Paint::Sides([Color::FRONT, Color::BACK]);
 
-/// A mesh in space, seen from where the viewer stands; heights are taken `steep` times.
-pub(super) fn spatial(mesh: &Surface, viewer: [f64; 3], steep: f64) -> Vec<Item> {
+/// A mesh with both sides of its faces.
+pub(super) fn solid(mesh: &Surface) -> Model {
     let mut model = Model::default();
     model.add_mesh(mesh, EDGE, |_| SURFACE);
+    model
+}
+
+/// A model from where the viewer stands; its heights are scaled so that it is `rise` times as high as
+/// it is wide.
+pub(super) fn seen(model: Model, viewer: [f64; 3], rise: f64) -> Vec<Item> {
+    let extent = |axis: usize| {
+        let values = model.points().map(move |p| p[axis]);
+        let (low, high) =
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        high - low
+    };
+    let (wide, high) = (extent(0).max(extent(1)), extent(2));
+    let steep = if high > 0.0 { rise * wide / high } else { 1.0 };
     painted(&model.map(|[x, y, z]| [x, y, steep * z]), &View::from(viewer))
+}
+
+/// Points on a circle of radius 1, the last the first.
+pub(super) fn round() -> impl Iterator<Item = [f64; 2]> {
+    const STEPS: i32 = 12;
+    let quarter = |turn: i32| {
+        (0..STEPS).map(move |k| {
+            let t = f64::from(k) / f64::from(STEPS);
+            let (c, s) = ((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t));
+            [[c, s], [-s, c], [-c, -s], [s, -c]][turn as usize % 4]
+        })
+    };
+    (0..4).flat_map(quarter).chain([[1.0, 0.0]])
 }
 
 /// The top view of a mesh: its edges.
 pub(super) fn top_view(mesh: &Surface) -> Vec<Item> {
+    painted(&flat(mesh), &View::TOP)
+}
+
+/// The edges of a mesh in the plane of its top view.
+pub(super) fn flat(mesh: &Surface) -> Model {
     let mut model = Model::default();
     model.add_mesh(mesh, THIN, |_| Paint::Wire);
-    painted(&model.map(|[x, y, _]| [x, y, 0.0]), &View::TOP)
+    model.map(|[x, y, _]| [x, y, 0.0])
 }
 
 /// Circles of the top view.

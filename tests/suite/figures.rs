@@ -1,8 +1,13 @@
 //! Figures: the painter's order against a z-buffer, files against what is committed.
 
+use isogeo::figure::Figure;
 use isogeo::figure::draw::{
     Color, Item, Model, Paint, Piece, Scene, Stroke, View, painted, svg, tikz,
 };
+use isogeo::mesh::VertexId;
+use isogeo::net::Property;
+use isogeo::pair::PairProperty;
+use isogeo::scalar::{Rational, Ring};
 
 const INK: Stroke = Stroke::new(Color::INK, 0.1);
 
@@ -120,4 +125,76 @@ fn a_scene_is_the_same_picture_in_every_format() {
     assert_eq!(scene.place(vec![polygon, circle], [1.0, 1.0], [38.0, 18.0]), 9.0);
     scene.text([20.0, 1.0], 3.0, isogeo::figure::draw::Anchor::Middle, "2H² & K < 0_1");
     insta::assert_snapshot!(format!("{}\n{}", svg(&scene, "a < b"), tikz(&scene)));
+}
+
+#[test]
+fn a_figure_that_says_something_false_is_refused() {
+    for figure in &Figure::ALL {
+        let plate = figure.plate().unwrap_or_else(|why| panic!("figure {}: {why}", figure.number));
+        for exhibit in &plate.exhibits {
+            let says = exhibit.holds.len() + exhibit.with.len() + exhibit.shown.len();
+            let topology = &exhibit.mesh.topology;
+            let vertex = topology.interior_vertices().next().unwrap_or(VertexId(0));
+            let mut wrong = exhibit.clone();
+            wrong.mesh.points[vertex.index()].z += &Rational::from_i64(1);
+            let verdict = wrong.check(&plate.exhibits);
+            assert_eq!(verdict.is_err(), says > 0, "figure {}, {}", figure.number, exhibit.name);
+        }
+    }
+}
+
+#[test]
+fn the_refusal_names_what_is_wrong() {
+    let plate = Figure::ALL.iter().find(|f| f.number == 8).and_then(|f| f.plate().ok());
+    let plate = plate.expect("figure 8");
+    let bent = plate.exhibits[0].clone().is(&[Property::Inscribed]);
+    let found = bent.check(&plate.exhibits).map_err(|what| what.to_string());
+    assert_eq!(found, Err("enneper: inscribed is refuted".into()));
+    let alone = plate.exhibits[0].clone().with("nobody", &[PairProperty::Parallel]);
+    let found = alone.check(&plate.exhibits).map_err(|what| what.to_string());
+    assert_eq!(found, Err("enneper: parallel is vacuous".into()));
+    let flat = plate.exhibits[0].clone().shows("flat", |m| m.points.iter().all(|p| p.z.is_zero()));
+    let found = flat.check(&plate.exhibits).map_err(|what| what.to_string());
+    assert_eq!(found, Err("enneper: flat is refuted".into()));
+}
+
+#[test]
+fn figures_come_in_the_order_of_the_paper() {
+    let numbers: Vec<u8> = Figure::ALL.iter().map(|figure| figure.number).collect();
+    assert_eq!(numbers, (1..=11).collect::<Vec<u8>>());
+}
+
+#[test]
+fn a_face_that_is_cut_keeps_its_plane() {
+    // A fan of needles around a point: planes of their parts would be far off.
+    let ray = |i: u32| {
+        let t = f64::from(i) / 40.0;
+        let (c, s) = ((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t));
+        [c, s, f64::from(i % 3) / 3.0]
+    };
+    let needles = (0..40).map(|i| triangle([[0.0; 3], ray(i), ray(i + 1)], i as u8));
+    let model = Model { pieces: needles.collect() };
+    let view = View::from([3.0, -5.0, 3.0]);
+    let items = painted(&model, &view);
+    let pieces = items.iter().filter(|item| matches!(item, Item::Polygon { .. })).count();
+    assert!(pieces < 120, "{pieces} pieces of 40");
+}
+
+#[test]
+#[cfg(feature = "cli")]
+fn no_figure_drifts() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let run = |out: &std::path::Path| {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_isogeo"))
+            .args(["figure", "all", "--check", "--as", "json,svg", "--out"])
+            .arg(out)
+            .output()
+            .expect("the program runs");
+        (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    let (code, text) = run(&root.join("paper_figures"));
+    assert_eq!(code, Some(0), "{text}");
+    let (code, text) = run(&std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-figures"));
+    assert_eq!(code, Some(1));
+    assert!(text.contains("fig-08.svg: is not there"), "{text}");
 }

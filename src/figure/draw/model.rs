@@ -72,6 +72,17 @@ impl Model {
         self.pieces.extend(segments);
     }
 
+    /// All corners and ends.
+    pub fn points(&self) -> impl Iterator<Item = [f64; 3]> {
+        self.pieces
+            .iter()
+            .flat_map(|piece| match piece {
+                Piece::Face { corners, .. } => corners.as_slice(),
+                Piece::Segment { ends, .. } => ends.as_slice(),
+            })
+            .copied()
+    }
+
     /// The same model with every point mapped.
     pub fn map(mut self, f: impl Fn([f64; 3]) -> [f64; 3]) -> Model {
         for piece in &mut self.pieces {

@@ -9,30 +9,30 @@ use super::{Item, Model, Paint, Piece, Scene, Stroke, View};
 
 /// The pieces of a model as items of a scene, in the order in which they have to be painted.
 pub fn painted(model: &Model, view: &View) -> Vec<Item> {
-    let mut pieces = model.pieces.clone();
-    let size = pieces.iter().flat_map(points).flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
-    let mut ordered = Vec::with_capacity(pieces.len());
+    let size = model.points().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let parts: Vec<Part> = model.pieces.iter().cloned().map(Part::whole).collect();
+    let mut ordered = Vec::with_capacity(parts.len());
     // What remains to be ordered, the farthest last; a set that is in order is marked.
-    let mut stack = vec![(std::mem::take(&mut pieces), false)];
+    let mut stack = vec![(parts, false)];
     while let Some((set, ordered_already)) = stack.pop() {
-        let splitter = if ordered_already { None } else { splitter(&set) };
+        let splitter = if ordered_already { None } else { splitter(&set, size) };
         let Some(plane) = splitter else {
             ordered.extend(set);
             continue;
         };
         let [mut behind, mut on, mut before] = [const { Vec::new() }; 3];
-        for piece in set {
-            plane.sort(piece, size, [&mut behind, &mut on, &mut before]);
+        for part in set {
+            plane.sort(part, size, [&mut behind, &mut on, &mut before]);
         }
         // Lines lie over the faces of their plane.
-        on.sort_by_key(|piece| matches!(piece, Piece::Segment { .. }));
+        on.sort_by_key(|part| matches!(part.piece, Piece::Segment { .. }));
         let towards = view.sees(plane.normal);
         let (far, near) = if towards { (behind, before) } else { (before, behind) };
         stack.push((near, false));
         stack.push((on, true));
         stack.push((far, false));
     }
-    ordered.iter().flat_map(|piece| items(piece, view)).collect()
+    ordered.iter().flat_map(|part| items(&part.piece, view)).collect()
 }
 
 fn points(piece: &Piece) -> Vec<[f64; 3]> {
@@ -42,7 +42,22 @@ fn points(piece: &Piece) -> Vec<[f64; 3]> {
     }
 }
 
+/// A piece or what cuts have left of it, with the plane of the whole face: that of a thin part would
+/// be far from it.
+#[derive(Clone, Debug)]
+struct Part {
+    piece: Piece,
+    plane: Option<Plane>,
+}
+
+impl Part {
+    fn whole(piece: Piece) -> Part {
+        Part { plane: Plane::of(&piece), piece }
+    }
+}
+
 /// An oriented plane `normal · x = offset`.
+#[derive(Clone, Debug)]
 struct Plane {
     normal: [f64; 3],
     offset: f64,
@@ -74,54 +89,56 @@ impl Plane {
         Some(Plane { normal, offset })
     }
 
-    /// On which side a point lies; what is nearer than some roundings lies on the plane.
+    /// On which side a point lies; what is nearer than the roundings of the planes of small faces
+    /// lies on the plane.
     fn side(&self, p: [f64; 3], size: f64) -> f64 {
         let distance = dot(self.normal, p) - self.offset;
-        if distance.abs() <= 4096.0 * f64::EPSILON * size { 0.0 } else { distance }
+        if distance.abs() <= f64::from(1 << 20) * f64::EPSILON * size { 0.0 } else { distance }
     }
 
     /// Puts a piece behind, on or before the plane, or its parts.
-    fn sort(&self, piece: Piece, size: f64, [behind, on, before]: [&mut Vec<Piece>; 3]) {
-        let sides: Vec<f64> = points(&piece).into_iter().map(|p| self.side(p, size)).collect();
+    fn sort(&self, part: Part, size: f64, [behind, on, before]: [&mut Vec<Part>; 3]) {
+        let sides: Vec<f64> = points(&part.piece).iter().map(|p| self.side(*p, size)).collect();
         match (sides.iter().any(|s| *s < 0.0), sides.iter().any(|s| *s > 0.0)) {
-            (false, false) => on.push(piece),
-            (true, false) => behind.push(piece),
-            (false, true) => before.push(piece),
+            (false, false) => on.push(part),
+            (true, false) => behind.push(part),
+            (false, true) => before.push(part),
             (true, true) => {
-                behind.extend(part(&piece, &sides, -1.0));
-                before.extend(part(&piece, &sides, 1.0));
+                for (sign, side) in [(-1.0, behind), (1.0, before)] {
+                    let piece = cut(&part.piece, &sides, sign);
+                    side.extend(piece.map(|piece| Part { piece, plane: part.plane.clone() }));
+                }
             }
         }
     }
 }
 
 /// The plane of a face that cuts few others, out of a few.
-fn splitter(set: &[Piece]) -> Option<Plane> {
-    const CANDIDATES: usize = 7;
-    const WITNESSES: usize = 61;
-    let faces: Vec<&Piece> = set.iter().filter(|p| matches!(p, Piece::Face { .. })).collect();
-    if set.len() < 2 || faces.is_empty() {
+fn splitter(set: &[Part], size: f64) -> Option<Plane> {
+    const CANDIDATES: usize = 64;
+    const WITNESSES: usize = 512;
+    let faces: Vec<&Plane> = set.iter().filter_map(|part| part.plane.as_ref()).collect();
+    if set.len() < 2 {
         return None;
     }
     let spread = |count: usize, of: usize| (0..count.min(of)).map(move |i| i * of / count.min(of));
-    let planes = spread(CANDIDATES, faces.len()).filter_map(|i| Plane::of(faces[i]));
-    let cost = |plane: &Plane| {
+    let planes = spread(CANDIDATES, faces.len()).map(|i| faces[i]);
+    let cost = |plane: &&Plane| {
         let (mut cuts, mut sides) = (0, [0_i64; 2]);
         for i in spread(WITNESSES, set.len()) {
-            let side = points(&set[i]).into_iter().map(|p| plane.side(p, 1.0));
+            let side = points(&set[i].piece).into_iter().map(|p| plane.side(p, size));
             let (low, high) = side.fold((0.0_f64, 0.0_f64), |(l, h), s| (l.min(s), h.max(s)));
             cuts += i64::from(low < 0.0 && high > 0.0);
             sides[0] += i64::from(low < 0.0);
             sides[1] += i64::from(high > 0.0);
         }
-        8 * cuts + (sides[0] - sides[1]).abs()
+        64 * cuts + (sides[0] - sides[1]).abs()
     };
-    let first = faces.iter().find_map(|face| Plane::of(face));
-    planes.min_by_key(cost).or(first)
+    planes.min_by_key(cost).cloned()
 }
 
 /// The part of a piece on one side, with cuts that are not drawn.
-fn part(piece: &Piece, sides: &[f64], sign: f64) -> Option<Piece> {
+fn cut(piece: &Piece, sides: &[f64], sign: f64) -> Option<Piece> {
     let between = |p: [f64; 3], q: [f64; 3], s: f64, t: f64| {
         let k = s / (s - t);
         [0, 1, 2].map(|i| p[i] + k * (q[i] - p[i]))
@@ -172,6 +189,9 @@ fn items(piece: &Piece, view: &View) -> Vec<Item> {
         Paint::Flat(color) => Some(*color),
         Paint::Wire => None,
     };
+    if drawn.iter().all(|d| *d) {
+        return vec![Item::Polygon { corners: flat, fill, stroke: Some(*stroke) }];
+    }
     let mut items = Vec::new();
     if let Some(color) = fill {
         // A hair of its own colour closes the seams between neighbours.
@@ -179,10 +199,6 @@ fn items(piece: &Piece, view: &View) -> Vec<Item> {
         items.push(Item::Polygon { corners: flat.clone(), fill, stroke });
     }
     let runs = drawn.iter().enumerate().filter(|(_, drawn)| **drawn);
-    if drawn.iter().all(|d| *d) {
-        items.push(Item::Polygon { corners: flat, fill: None, stroke: Some(*stroke) });
-        return items;
-    }
     items.extend(runs.map(|(i, _)| {
         let points = vec![flat[i], flat[(i + 1) % flat.len()]];
         Item::Polyline { points, stroke: *stroke }

@@ -44,11 +44,11 @@ impl View {
         dot(self.towards, normal) >= 0.0
     }
 
-    /// How a plane with this normal is lit, from over the viewer's left shoulder: between 0.55 and 1.15.
+    /// How a plane with this normal is lit, from over the viewer's left shoulder: between 0.8 and 1.15.
     pub fn light(&self, normal: [f64; 3]) -> f64 {
         let lamp = [0, 1, 2].map(|i| self.towards[i] + 0.7 * self.up[i] - 0.5 * self.right[i]);
         let lengths = (dot(normal, normal) * dot(lamp, lamp)).sqrt();
-        if lengths == 0.0 { 1.0 } else { 0.55 + 0.6 * dot(lamp, normal).abs() / lengths }
+        if lengths == 0.0 { 1.0 } else { 0.8 + 0.35 * dot(lamp, normal).abs() / lengths }
     }
 }
 
