@@ -37,9 +37,8 @@ fn make() -> Result<Plate, NoFigure> {
     let MeshPair { surface, gauss } = bonnet_patch([10, 10], &half_sector, &q(36, 25))?;
     let steeper = Scaling::new(q(1, 1), q(6, 1)).map_err(NoFigure::of)?;
     let larger = Scaling::new(q(6, 1), q(36, 1)).map_err(NoFigure::of)?;
-    let [mut roof, gauss] = [steeper.apply(&surface), larger.apply(&gauss)];
-    // The radii are those of the meshes before scaling.
-    roof.data = Data::default();
+    let [roof, gauss] = [steeper.apply(&surface), larger.apply(&gauss)];
+    // The radii of S are those before scaling; those of M are not concerned.
     let gauss = Surface { data: Data::default(), ..gauss };
     let below = |(p, s): (&Point<Rational>, &Point<Rational>)| {
         let step = [s.x.clone(), s.y.clone(), &s.z - Rational::one()];
@@ -47,7 +46,7 @@ fn make() -> Result<Plate, NoFigure> {
         Point::new(&p.x + x, &p.y + y, &p.z + z)
     };
     let points = roof.points.iter().zip(&gauss.points).map(below).collect();
-    let lower = Surface { points, ..roof.clone() };
+    let lower = Surface { topology: roof.topology.clone(), points, data: Data::default() };
     let mut scene = Scene::new(160.0, 92.0);
     let view = View::from(VIEWER);
     let all: Vec<HalfEdge> = roof.topology.edges().collect();
@@ -61,7 +60,7 @@ fn make() -> Result<Plate, NoFigure> {
     scene.place(node, [122.0, 6.0], [36.0, 34.0]);
     let exhibits = vec![
         Exhibit::new("roof", roof)
-            .is(&[Property::Planar])
+            .is(&[Property::Planar, Property::IIsothermic, Property::IMinimal])
             .with("gauss", &[PairProperty::FParallel, PairProperty::IMinimal])
             .with("lower", &[PairProperty::Parallel, PairProperty::FParallel]),
         Exhibit::new("lower", lower).is(&[Property::Planar]),

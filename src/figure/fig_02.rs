@@ -18,7 +18,7 @@ pub(super) const FIGURE: Figure = Figure {
               an f-parallel mesh that is inscribed to the unit i-sphere. Corresponding edges are \
               parallel, as the marked ones, and so are the planes of corresponding faces. Heights are \
               scaled, the same in both.",
-    claims: &["parallel-linear"],
+    claims: &["parallel-linear", "thm-1-f"],
     make,
 };
 
@@ -50,9 +50,11 @@ fn make() -> Result<Plate, NoFigure> {
     scene.text([120.0, 3.0], 3.0, Anchor::Middle, "M'");
     let exhibits = vec![
         Exhibit::new("mesh", mesh)
-            .is(&[Property::Planar])
-            .with("parallel", &[PairProperty::Parallel, PairProperty::FParallel]),
-        Exhibit::new("parallel", parallel).is(&[Property::Planar]),
+            .is(&[Property::Planar, Property::ICircular])
+            .with("parallel", &[PairProperty::Parallel, PairProperty::FParallel])
+            .with("inscribed", &[PairProperty::Parallel, PairProperty::FParallel]),
+        Exhibit::new("parallel", parallel).is(&[Property::Planar, Property::ICircular]),
+        Exhibit::new("inscribed", image).is(&[Property::Planar, Property::Inscribed]),
     ];
     Ok(Plate { exhibits, scene })
 }

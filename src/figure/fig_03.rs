@@ -18,7 +18,7 @@ pub(super) const FIGURE: Figure = Figure {
               the circumcircles of its faces. Right: the centres of these circles form the top view of \
               an i-conical mesh, the metric dual of the mesh over the pattern that is inscribed to the \
               unit i-sphere.",
-    claims: &["theorem-1", "theorem-2"],
+    claims: &["eq-13-circular", "eq-14-conical", "thm-2-dual", "thm-2-f"],
     make,
 };
 

@@ -16,7 +16,7 @@ pub(super) const FIGURE: Figure = Figure {
               with r^2 = 64, again i-circular. Right: an i-conical mesh, the metric dual of the net \
               z = -x^2/2 + x^4/120 - y^2/3 over 16 by 14 such lines after the inversion at (2, -9, 0) \
               with r^2 = 64. Heights are scaled.",
-    claims: &["theorem-1", "theorem-2"],
+    claims: &["thm-1-v", "thm-2-dual", "moebius-cylindrical"],
     make,
 };
 

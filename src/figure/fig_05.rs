@@ -17,7 +17,7 @@ pub(super) const FIGURE: Figure = Figure {
               smooth surface, the dual of the inverted one. Heights are scaled. The paper's meshes, \
               from subdivision and optimisation, and the one fitted to a given surface wait for the \
               optimisation.",
-    claims: &["theorem-2"],
+    claims: &["thm-2-dual"],
     make,
 };
 

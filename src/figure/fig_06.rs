@@ -18,7 +18,7 @@ pub(super) const FIGURE: Figure = Figure {
               incircles of its faces, which touch where edges touch the unit i-sphere. Middle: with \
               the circles about the vertices, which touch in the same points and meet the others at \
               right angles. Right: the mesh, and where its faces cut the unit i-sphere.",
-    claims: &["koebe-touching", "koebe-orthogonal"],
+    claims: &["thm-3", "koebe-edge", "koebe-vertex"],
     make,
 };
 

@@ -21,7 +21,7 @@ pub(super) const FIGURE: Figure = Figure {
               colour are parallel. Right: the top views of the Koebe mesh over the circles of radius 1/2 \
               about (i, j), 0 <= i <= 7, 0 <= j <= 4, inverted at (7/2, -5), and of its Christoffel \
               dual, with incircles and a pair of corresponding faces.",
-    claims: &["koebe-christoffel", "eq-20"],
+    claims: &["eq-20", "eq-20-incircle", "christoffel-dual"],
     make,
 };
 

@@ -19,7 +19,7 @@ pub(super) const FIGURE: Figure = Figure {
               (40/41, 9/41), inverted at the point opposite the middle of the middle ring. In both the \
               shear that the inversion leaves is taken away; heights are drawn steeper. Below: the top \
               views, which have several sheets around branch points, and those of the Koebe meshes.",
-    claims: &["koebe-minimal", "fig-8-planar-lines"],
+    claims: &["koebe-minimal", "minimal-at-vertices", "fig-8-planar-lines"],
     make,
 };
 

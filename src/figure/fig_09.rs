@@ -18,7 +18,7 @@ pub(super) const FIGURE: Figure = Figure {
               Koebe meshes have; below their top views, which are those of these Koebe meshes. Drawn \
               without the faces that reach far out: nine around the middle on the left, two columns at \
               each end on the right. Heights are scaled.",
-    claims: &["duality-parallel", "duality-f-v"],
+    claims: &["i-minimal-dual", "fig-9-concurrent"],
     make,
 };
 

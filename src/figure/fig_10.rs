@@ -14,11 +14,12 @@ pub(super) const FIGURE: Figure = Figure {
     number: 10,
     title: "rotational meshes of hexagons with H = 0, with constant H and with constant K",
     caption: "Rings of 11 hexagons with the half sector (24/25, 7/25), so that they nearly close. Left: \
-              H = 0, slopes (13/8)^k, the image circumscribed to the unit i-sphere. Middle: H = 1, with \
-              r f' = r^2 - 1 in the limit. Right: K = 1, with f'^2 = r^2 - 1 in the limit. H and K are \
-              the same at all faces, exactly, with images whose steps are near to those of the \
-              circumscribed one. Heights are scaled.",
-    claims: &["eq-17-18"],
+              H = 0, slopes (13/8)^k, 0 <= k <= 6, first integral 1, the image circumscribed to the unit \
+              i-sphere. Middle: H = 1, slopes -5/2, -5/4, -1/3, 1/2, 3/2, 8/3, 17/4, with r f' = r^2 - 1 \
+              in the limit. Right: K = 1, slopes 1/8, 3/4, 3/2, 5/2, 4, 13/2, with f'^2 = r^2 - 1 in the \
+              limit. H and K are exactly the same at all faces; on the right two the steps of the image are near \
+              to those of the circumscribed one. Heights are scaled.",
+    claims: &["hex-rotational", "eq-17-18"],
     make,
 };
 

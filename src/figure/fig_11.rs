@@ -17,7 +17,7 @@ pub(super) const FIGURE: Figure = Figure {
               unit i-sphere, and under them those of the true values. Blue is negative, red positive; \
               computed and true values have one scale. H differs by less than 1/100, K by less \
               than 1/20.",
-    claims: &["eq-22"],
+    claims: &["fig-11-accuracy", "eq-22-cotan"],
     make,
 };
 

@@ -99,10 +99,19 @@ impl Plane {
     /// Puts a piece behind, on or before the plane, or its parts.
     fn sort(&self, part: Part, size: f64, [behind, on, before]: [&mut Vec<Part>; 3]) {
         let sides: Vec<f64> = points(&part.piece).iter().map(|p| self.side(*p, size)).collect();
-        match (sides.iter().any(|s| *s < 0.0), sides.iter().any(|s| *s > 0.0)) {
+        let (below, above) = reach(&sides);
+        match (below > 0.0, above > 0.0) {
             (false, false) => on.push(part),
             (true, false) => behind.push(part),
             (false, true) => before.push(part),
+            // Nobody sees by how little it reaches over.
+            (true, true) if below.min(above) <= size / UNSEEN => {
+                if above > below {
+                    before.push(part)
+                } else {
+                    behind.push(part)
+                }
+            }
             (true, true) => {
                 for (sign, side) in [(-1.0, behind), (1.0, before)] {
                     let piece = cut(&part.piece, &sides, sign);
@@ -111,6 +120,14 @@ impl Plane {
             }
         }
     }
+}
+
+/// What is this part of the model's size in front of something else or behind it, is not seen.
+const UNSEEN: f64 = 4096.0;
+
+/// How far points with these signed distances reach to both sides.
+fn reach(sides: &[f64]) -> (f64, f64) {
+    sides.iter().fold((0.0, 0.0), |(below, above): (f64, f64), s| (below.max(-s), above.max(*s)))
 }
 
 /// The plane of a face that cuts few others, out of a few.
@@ -127,10 +144,10 @@ fn splitter(set: &[Part], size: f64) -> Option<Plane> {
         let (mut cuts, mut sides) = (0, [0_i64; 2]);
         for i in spread(WITNESSES, set.len()) {
             let side = points(&set[i].piece).into_iter().map(|p| plane.side(p, size));
-            let (low, high) = side.fold((0.0_f64, 0.0_f64), |(l, h), s| (l.min(s), h.max(s)));
-            cuts += i64::from(low < 0.0 && high > 0.0);
-            sides[0] += i64::from(low < 0.0);
-            sides[1] += i64::from(high > 0.0);
+            let (below, above) = reach(&side.collect::<Vec<_>>());
+            cuts += i64::from(below.min(above) > size / UNSEEN);
+            sides[0] += i64::from(below > 0.0);
+            sides[1] += i64::from(above > 0.0);
         }
         64 * cuts + (sides[0] - sides[1]).abs()
     };
