@@ -9,7 +9,7 @@ use serde_json::json;
 use super::arguments::{FigureKind, FigureOptions, Layout};
 use super::failure::Failure;
 use super::{Status, output};
-use crate::figure::{Figure, Kind, gallery};
+use crate::figure::{Figure, Kind, gallery, index};
 use crate::mesh::file::write_whole;
 
 /// Makes figures and writes or compares their files.
@@ -37,6 +37,9 @@ pub fn run(options: &FigureOptions, layout: Layout) -> Result<Status, Failure> {
     bar.finish_and_clear();
     if options.id == "all" && kinds.contains(&Kind::Svg) {
         files.push(("README.md".into(), gallery(&plates).into_bytes()));
+    }
+    if options.id == "all" && kinds.contains(&Kind::Html) {
+        files.push(("index.html".into(), index(&plates).into_bytes()));
     }
     let (mut drifted, mut written) = (Vec::new(), Vec::new());
     for (name, contents) in files {

@@ -1,10 +1,15 @@
 //! The files of a figure.
 
+use serde_json::json;
+
 use super::draw::{pdf, svg, tikz};
 use super::page::{Sight, page};
 use super::{Exhibit, Figure, Plate};
+use crate::construct::vertex_circles;
 use crate::mesh::file::{FileError, Format, Options, write_string};
 use crate::pair::PairProperty;
+use crate::scalar::Rational;
+use crate::space::OrientedCircle;
 
 /// A kind of file that a figure has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +46,7 @@ impl Figure {
     /// Where a mesh has no text in the format.
     pub fn files(&self, plate: &Plate, kind: Kind) -> Result<Vec<(String, Vec<u8>)>, FileError> {
         let folder = self.folder();
-        let meshes = |format, extension: &str| {
+        let meshes = |format, extension: &str| -> Result<Vec<_>, FileError> {
             let one = |exhibit: &Exhibit| {
                 let name = format!("{}.{extension}", exhibit.name);
                 let (text, _) = write_string(&name, format, &exhibit.mesh, &Options::default())?;
@@ -50,7 +55,11 @@ impl Figure {
             plate.exhibits.iter().map(one).collect()
         };
         match kind {
-            Kind::Json => meshes(Format::IsoJson, "iso.json"),
+            Kind::Json => {
+                let mut files: Vec<_> = meshes(Format::IsoJson, "iso.json")?;
+                files.push((format!("{folder}.json"), self.facts(plate).into_bytes()));
+                Ok(files)
+            }
             Kind::Vtu => meshes(Format::Vtu, "vtu"),
             Kind::Html => Ok(vec![(format!("{folder}.html"), self.page(plate).into_bytes())]),
             Kind::Svg => {
@@ -59,6 +68,39 @@ impl Figure {
             Kind::Pdf => Ok(vec![(format!("{folder}.pdf"), pdf(&plate.scene, self.title))]),
             Kind::Tikz => Ok(vec![(format!("{folder}.tex"), tikz(&plate.scene).into_bytes())]),
         }
+    }
+
+    /// What the figure says, for programs: caption, claims, and of each mesh what was proved, with the
+    /// circles of its radii as exact numbers.
+    fn facts(&self, plate: &Plate) -> String {
+        let exhibit = |exhibit: &Exhibit| {
+            let mut value = json!({
+                "name": exhibit.name,
+                "vertices": exhibit.mesh.topology.vertex_count(),
+                "faces": exhibit.mesh.topology.face_count(),
+                "proved": exhibit.holds.iter().map(|p| p.name()).collect::<Vec<_>>(),
+                "proved_with": exhibit.with.iter()
+                    .map(|(image, p)| json!({ "image": image, "property": p.name() }))
+                    .collect::<Vec<_>>(),
+                "shown": exhibit.shown.iter().map(|remark| remark.says).collect::<Vec<_>>(),
+            });
+            if let Some(circles) = vertex_circles(&exhibit.mesh) {
+                let numbers = |c: &OrientedCircle<Rational>| {
+                    [&c.centre.x, &c.centre.y, &c.radius].map(Rational::to_string)
+                };
+                value["circles"] = json!(circles.iter().map(numbers).collect::<Vec<_>>());
+            }
+            value
+        };
+        let facts = json!({
+            "schema": "isogeo.figure/1",
+            "number": self.number,
+            "title": self.title,
+            "caption": self.caption,
+            "claims": self.claims,
+            "meshes": plate.exhibits.iter().map(exhibit).collect::<Vec<_>>(),
+        });
+        format!("{facts:#}\n")
     }
 
     /// The meshes side by side; one that has its Gauss image with it gets the slider of the offset.

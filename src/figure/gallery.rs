@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::draw::{escaped, svg};
 use super::{Exhibit, Figure, Plate};
 
 /// A Markdown page for the folder of the figures: pictures, captions, and what is checked of each mesh.
@@ -28,6 +29,29 @@ pub fn gallery(figures: &[(&Figure, Plate)]) -> String {
             let _ = writeln!(page, "| [{name}]({folder}/{name}.iso.json) | {faces} | {says} |");
         }
     }
+    page
+}
+
+/// The same as one HTML page with the pictures in it; each leads to the page of its meshes.
+pub fn index(figures: &[(&Figure, Plate)]) -> String {
+    let mut page = String::from(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Figures</title>\n\
+         <style>body { max-width: 60em; margin: 2em auto; padding: 0 1em; font: 16px/1.45 Palatino, \
+         Georgia, serif; color: #1b2a41; } svg { width: 100%; height: auto; }</style>\n</head>\n<body>\n\
+         <h1>Figures</h1>\n",
+    );
+    for (figure, plate) in figures {
+        let (number, folder) = (figure.number, figure.folder());
+        let (title, caption) = (escaped(figure.title), escaped(figure.caption));
+        // Writing to a string does not fail.
+        let _ = write!(
+            page,
+            "<h2>Fig. {number}: {title}</h2>\n<a href=\"{folder}/{folder}.html\">\n{}</a>\n\
+             <p>{caption}</p>\n",
+            svg(&plate.scene, figure.title)
+        );
+    }
+    page.push_str("</body>\n</html>\n");
     page
 }
 

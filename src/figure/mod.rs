@@ -25,7 +25,7 @@ mod sheet;
 
 pub use exhibit::{Exhibit, NotSo, Remark};
 pub use files::Kind;
-pub use gallery::gallery;
+pub use gallery::{gallery, index};
 
 use std::fmt;
 

@@ -14,6 +14,7 @@ pub use model::{Model, Paint, Piece};
 pub use painter::painted;
 pub use pdf::pdf;
 pub use scene::{Anchor, Item, Scene, Stroke};
+pub(super) use svg::escaped;
 pub use svg::svg;
 pub use tikz::tikz;
 pub use view::View;

@@ -87,6 +87,7 @@ fn stroke_of(stroke: Option<Stroke>) -> String {
     })
 }
 
-fn escaped(text: &str) -> String {
+/// A text in a document of marks.
+pub(in crate::figure) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

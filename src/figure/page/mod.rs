@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value, json};
 
+use super::draw::escaped;
 use crate::mesh::Mesh;
 use crate::net::RADIUS;
 use crate::scalar::{Approx, Rational};
@@ -49,10 +50,6 @@ pub fn page(title: &str, caption: &str, sights: &[Sight<'_>]) -> String {
         script = include_str!("viewer.js"),
     );
     page
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 fn mesh_json(sight: &Sight<'_>) -> Value {
