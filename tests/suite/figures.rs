@@ -162,6 +162,12 @@ fn the_refusal_names_what_is_wrong() {
 fn figures_come_in_the_order_of_the_paper() {
     let numbers: Vec<u8> = Figure::ALL.iter().map(|figure| figure.number).collect();
     assert_eq!(numbers, (1..=11).collect::<Vec<u8>>());
+    let unknown = |id: &&str| isogeo::claim::claim(id).is_none();
+    for figure in &Figure::ALL {
+        assert!(!figure.claims.is_empty(), "figure {} illustrates nothing", figure.number);
+        let ghosts: Vec<&str> = figure.claims.iter().copied().filter(unknown).collect();
+        assert_eq!(ghosts, [""; 0], "figure {}", figure.number);
+    }
 }
 
 #[test]

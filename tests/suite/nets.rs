@@ -79,7 +79,7 @@ proptest! {
 
     #[test]
     fn fast_and_plain_agree_on_huge_and_tiny_numbers(
-        mesh in any_mesh(small()), up in -60i32..60, sideways in -60i32..60,
+        mesh in any_mesh(small()), up in -60i32..60, sideways in -20i32..20,
     ) {
         // Beyond any common denominator of 126 bits, up to beyond the range of doubles.
         let power = |e: i32| {
