@@ -8,7 +8,7 @@ use crate::construct::{lift, metric_dual};
 use crate::net::Property;
 use crate::pair::PairProperty;
 use crate::scalar::{Approx, Field, Rational};
-use crate::space::Circle;
+use crate::space::{Circle, Point};
 
 pub(super) const FIGURE: Figure = Figure {
     number: 3,
@@ -68,7 +68,7 @@ fn circumcircles(mesh: &Surface, stroke: Stroke) -> Result<Vec<Item>, NoFigure> 
 
 /// The vertices in the top view.
 fn dots(mesh: &Surface) -> Vec<Item> {
-    let dot = |p: &crate::space::Point<Rational>| Item::Circle {
+    let dot = |p: &Point<Rational>| Item::Circle {
         center: [p.x.to_f64(), p.y.to_f64()],
         radius: 1.0 / 24.0,
         fill: Some(Color::INK),

@@ -6,7 +6,7 @@ use super::{Exhibit, Figure, NoFigure, Plate, Surface};
 use crate::construct::accuracy::vertex_curvatures;
 use crate::mesh::{FaceList, Mesh, VertexId};
 use crate::scalar::{Approx, Field, Ordered, Rational};
-use crate::space::{Graph, Jet2, Point, Polynomial};
+use crate::space::{Graph, Jet2, Point, Polynomial, TopView};
 
 pub(super) const FIGURE: Figure = Figure {
     number: 11,
@@ -69,7 +69,7 @@ fn samples() -> Result<Surface, NoFigure> {
         let (j, i) = (index / width, index % width);
         let x = q(2 * i + j % 2, -(width as i64), 6);
         let y = q(2 * j, 1 - rows as i64, 1) * Rational::from_ratio(13, 90);
-        let at = crate::space::TopView::new(x, y);
+        let at = TopView::new(x, y);
         let z = height.value_at(&at);
         at.at_height(z)
     };

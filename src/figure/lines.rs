@@ -2,7 +2,7 @@
 
 use super::Surface;
 use crate::scalar::{Rational, Ring};
-use crate::space::{Point, Vector3};
+use crate::space::{Dual, Point, Vector3};
 
 /// Whether points lie in a plane: exactly.
 pub(super) fn coplanar(points: &[&Point<Rational>]) -> bool {
@@ -25,7 +25,6 @@ pub(super) fn planar_lines(points: &[Point<Rational>], width: usize) -> bool {
 /// Whether the face planes along each row of a patch pass through a point, which may be at infinity,
 /// and those along each column: whether their poles lie in planes.
 pub(super) fn concurrent_lines(mesh: &Surface, width: usize) -> bool {
-    use crate::space::Dual;
     let poles = mesh.topology.faces().map(|face| Some(mesh.face_plane(face).ok()?.dual()));
     poles.collect::<Option<Vec<_>>>().is_some_and(|poles| planar_lines(&poles, width))
 }
