@@ -29,7 +29,7 @@
 //! of symmetric stars, of loops around holes and handles, and of face planes through the centre. Tested
 //! are, exactly, all elements by themselves: faces, vertices (is there a cone), edges (do any two cones
 //! fit); then, for each component where all are content, whether there is a joint choice,
-//! [found by trial](super::choice). If there is none, a vertex fails; if the search is given up, it is
+//! found by trial. If there is none, a vertex fails; if the search is given up, it is
 //! undecided. Over boxes the search goes by what is possible at each element by itself.
 //!
 //! Vertices on the boundary and pinched ones count like others. Undefined are vertices with three

@@ -25,17 +25,18 @@ thread_local! {
 /// ```
 /// use isogeo::pair::twice_area;
 /// use isogeo::scalar::{NormalForms, Rational, Ring, Symbol, record};
-/// use isogeo::space::Vector2;
+/// use isogeo::space::{TopView, Vector2};
 /// // The area of a triangle does not depend on where it lies.
 /// let (difference, program) = record(|| {
 ///     let mut unknown = (1..).map(|n| Symbol::unknown(Rational::from_i64(n)));
-///     let mut point = || Some(Vector2::new(unknown.next()?, unknown.next()?));
-///     let (a, b, c, t) = (point()?, point()?, point()?, point()?);
-///     let moved = [&a + &t, &b + &t, &c + &t];
-///     Some(twice_area(&moved) - twice_area(&[a, b, c]))
+///     let mut two = || Some([unknown.next()?, unknown.next()?]);
+///     let triangle = [two()?, two()?, two()?].map(|[x, y]| TopView::new(x, y));
+///     let [x, y] = two()?;
+///     let moved = triangle.each_ref().map(|corner| corner + &Vector2::new(x, y));
+///     Some(twice_area(&moved) - twice_area(&triangle))
 /// });
 /// let node = difference.expect("points").node();
-/// assert!(NormalForms::of(&program, &[node])?.quotient(node).is_zero());
+/// assert!(NormalForms::of(&program, &[node])?.quotient(node).is_some_and(|q| q.is_zero()));
 /// # Ok::<(), isogeo::scalar::TooLarge>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
