@@ -395,7 +395,12 @@ proptest! {
             let (exact, rounded) = (fast(&mesh, property), Net::new(&mesh.topology, &decider).check(property));
             for failure in rounded.failures {
                 let undefined = exact.undefined.iter().any(|(e, _)| *e == failure);
-                prop_assert!(undefined || exact.failures.contains(&failure), "{} at {}", property.name(), failure);
+                // That no joint choice exists is a failure of the mesh; elsewhere in the box another
+                // element may be the first to show it.
+                let joint = property == Property::EdgeOffset
+                    && !(exact.failures.is_empty() && exact.undefined.is_empty());
+                let fails = undefined || joint || exact.failures.contains(&failure);
+                prop_assert!(fails, "{} at {}", property.name(), failure);
             }
         }
     }
