@@ -51,6 +51,8 @@ pub mod construct;
 pub mod figure;
 pub mod mesh;
 pub mod net;
+#[cfg(feature = "optimise")]
+pub mod optimise;
 pub mod pair;
 pub mod scalar;
 pub mod space;
