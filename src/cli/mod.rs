@@ -20,6 +20,7 @@ mod motion;
 mod numbers;
 mod offset;
 mod output;
+mod subdivide;
 mod transfer;
 mod triangulate;
 mod usage;
@@ -99,6 +100,7 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Move(options) => motion::run(&options, layout),
         Command::Invert(options) => inversion::run(&options, layout),
         Command::Transfer(options) => transfer::run(&options, layout),
+        Command::Subdivide(options) => subdivide::run(&options, layout),
         Command::Triangulate(options) => triangulate::run(&options, layout),
         Command::Accuracy(options) => accuracy::run(&options, layout),
         Command::Claims(options) => claims::run(&options, layout),
