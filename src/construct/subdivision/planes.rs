@@ -6,7 +6,7 @@ use super::{NoSubdivision, Sharp, catmull_clark, mix, spline};
 use crate::mesh::{Data, FaceId, FaceList, HalfEdge, Mesh, Topology, TopologyError};
 use crate::mesh::{VertexId, VertexKind};
 use crate::scalar::Field;
-use crate::space::{Dual, Gradient, Plane, Point};
+use crate::space::{Dual, Plane, Point};
 
 /// Why the planes of a mesh are not subdivided.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -91,8 +91,8 @@ pub fn subdivide_planes<T: Field>(
 ) -> Result<Mesh<T>, NoPlaneSubdivision> {
     let Mesh { topology, points, .. } = mesh;
     let pole = |f: FaceId| {
-        let corners = topology.face(f).iter().map(|v| &points[v.index()]).collect();
-        Ok(nearest_plane(corners).ok_or(NoPlaneSubdivision::Vertical(f))?.dual())
+        let corners: Vec<_> = topology.face(f).iter().map(|v| &points[v.index()]).collect();
+        Ok(Plane::nearest(&corners).ok_or(NoPlaneSubdivision::Vertical(f))?.dual())
     };
     let poles = topology.faces().map(pole).collect::<Result<_, NoPlaneSubdivision>>()?;
     let dual = topology.dual().map_err(NoPlaneSubdivision::Dual)?.topology;
@@ -106,7 +106,7 @@ pub fn subdivide_planes<T: Field>(
     let inside = topology.interior_vertices().flat_map(|v| topology.star(v));
     for (h, quad) in inside.zip(fine.topology.faces()) {
         let poles = fine.topology.face(quad).iter().map(|pole| &fine.points[pole.index()]);
-        let plane = nearest_plane(poles.collect()).ok_or(NoPlaneSubdivision::NoPoint {
+        let plane = Plane::nearest(&poles.collect::<Vec<_>>()).ok_or(NoPlaneSubdivision::NoPoint {
             vertex: topology.origin(h),
             face: topology.face_at(h),
         })?;
@@ -115,27 +115,6 @@ pub fn subdivide_planes<T: Field>(
     let faces = refined_faces(topology);
     let topology = Topology::new(corners.len(), faces).map_err(NoSubdivision::from)?;
     Ok(Mesh { topology, points: corners, data: Data::default() })
-}
-
-/// The plane with the least sum of squared vertical distances from some points: the one that they lie
-/// in, if they do.
-fn nearest_plane<T: Field>(points: Vec<&Point<T>>) -> Option<Plane<T>> {
-    let mean = mix(points.len() as i64, points.iter().map(|&p| (1, p)));
-    let [mut xx, mut xy, mut yy, mut xz, mut yz] = std::array::from_fn(|_| T::zero());
-    for p in points {
-        let d = p - &mean;
-        xx += &d.x.square();
-        xy += &(&d.x * &d.y);
-        yy += &d.y.square();
-        xz += &(&d.x * &d.z);
-        yz += &(&d.y * &d.z);
-    }
-    let scale = T::det2(&xx, &xy, &xy, &yy).try_inv()?;
-    let gradient = Gradient {
-        x: T::det2(&xz, &xy, &yz, &yy) * &scale,
-        y: T::det2(&xx, &xz, &xy, &yz) * &scale,
-    };
-    Some(Plane::through_point(&mean, gradient))
 }
 
 /// Where a corner at the boundary goes.
