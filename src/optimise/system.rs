@@ -1,0 +1,150 @@
+//! All conditions of a mesh as one system of equations, and its linearisation.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::Mobility;
+use super::condition::{Conditions, MOST_POINTS};
+use crate::mesh::VertexId;
+use crate::space::{Point, Vector3};
+
+/// The conditions of all kinds in a row, with the points that each speaks of.
+pub struct System {
+    kinds: Vec<Box<dyn Conditions>>,
+    /// `places[starts[i]..starts[i + 1]]` are the points of row `i`.
+    starts: Vec<u32>,
+    places: Vec<VertexId>,
+}
+
+/// The conditions at a point, linearised: each row is divided by the length of its gradient, so that
+/// its residual is, to first order, the distance to where it vanishes.
+#[derive(Clone, Debug)]
+pub struct Linearisation {
+    /// The gradients of the rows in the directions that are allowed, in the order of the places.
+    pub gradients: Vec<Vector3<f64>>,
+    /// The distances.
+    pub residuals: Vec<f64>,
+    /// What the rows were divided by; 0 where no allowed direction changes the value.
+    pub lengths: Vec<f64>,
+}
+
+const CHUNK: usize = 512;
+
+impl System {
+    /// The system of some kinds of conditions.
+    pub fn new(kinds: Vec<Box<dyn Conditions>>) -> Self {
+        let (mut starts, mut places) = (vec![0], Vec::new());
+        for kind in &kinds {
+            for condition in 0..kind.len() {
+                places.extend_from_slice(kind.points(condition));
+                starts.push(places.len() as u32);
+            }
+        }
+        System { kinds, starts, places }
+    }
+
+    /// The number of equations.
+    pub fn rows(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Where the points of a row stand.
+    #[inline]
+    pub fn range(&self, row: usize) -> Range<usize> {
+        self.starts[row] as usize..self.starts[row + 1] as usize
+    }
+
+    /// The points of all rows, one row after the other.
+    pub fn places(&self) -> &[VertexId] {
+        &self.places
+    }
+
+    /// The kinds with their rows.
+    pub fn kinds(&self) -> impl Iterator<Item = (&dyn Conditions, Range<usize>)> {
+        let mut start = 0;
+        self.kinds.iter().map(move |kind| {
+            let rows = start..start + kind.len();
+            start = rows.end;
+            (kind.as_ref(), rows)
+        })
+    }
+
+    /// Values and gradients at the given points.
+    pub fn linearise(&self, points: &[Point<f64>], mobility: &[Mobility]) -> Linearisation {
+        let zero = Vector3::new(0.0, 0.0, 0.0);
+        let mut gradients = vec![zero; self.places.len()];
+        let (mut residuals, mut lengths) = (vec![0.0; self.rows()], vec![0.0; self.rows()]);
+        for (kind, rows) in self.kinds() {
+            let at = self.range(rows.start).start..self.starts[rows.end] as usize;
+            let width = at.len() / rows.len().max(1);
+            let first = rows.start;
+            let chunks = gradients[at].par_chunks_mut(width.max(1) * CHUNK);
+            let chunks = chunks
+                .zip(residuals[rows.clone()].par_chunks_mut(CHUNK))
+                .zip(lengths[rows].par_chunks_mut(CHUNK));
+            chunks.enumerate().for_each(|(chunk, ((gradients, residuals), lengths))| {
+                for (i, gradient) in gradients.chunks_exact_mut(width).enumerate() {
+                    let condition = chunk * CHUNK + i;
+                    let value = kind.linearise(condition, points, gradient);
+                    let places = &self.places[self.range(first + condition)];
+                    let mut square = 0.0;
+                    for (g, v) in gradient.iter_mut().zip(places) {
+                        *g = mobility[v.index()].part(g);
+                        square += g.length2();
+                    }
+                    let length = square.sqrt();
+                    if length > 0.0 && length.is_finite() {
+                        for g in gradient.iter_mut() {
+                            *g = Vector3::new(g.x / length, g.y / length, g.z / length);
+                        }
+                        lengths[i] = length;
+                        residuals[i] = value / length;
+                    } else {
+                        gradient.fill(zero);
+                    }
+                }
+            });
+        }
+        Linearisation { gradients, residuals, lengths }
+    }
+
+    /// The residuals at other points, divided by the same lengths.
+    pub fn residuals(&self, points: &[Point<f64>], lengths: &[f64]) -> Vec<f64> {
+        let mut residuals = vec![0.0; self.rows()];
+        for (kind, rows) in self.kinds() {
+            let lengths = &lengths[rows.clone()];
+            residuals[rows].par_iter_mut().enumerate().with_min_len(CHUNK).for_each(
+                |(i, residual)| {
+                    if lengths[i] > 0.0 {
+                        *residual = kind.value(i, points) / lengths[i];
+                    }
+                },
+            );
+        }
+        residuals
+    }
+
+    /// `Jᵀ y`, by points.
+    pub fn transposed(&self, at: &Linearisation, y: &[f64], points: usize) -> Vec<Vector3<f64>> {
+        let mut sum = vec![Vector3::new(0.0, 0.0, 0.0); points];
+        for (row, y) in y.iter().enumerate() {
+            for i in self.range(row) {
+                let (g, s) = (&at.gradients[i], &mut sum[self.places[i].index()]);
+                (s.x, s.y, s.z) = (s.x + g.x * y, s.y + g.y * y, s.z + g.z * y);
+            }
+        }
+        sum
+    }
+
+    /// `J x`, by rows.
+    pub fn times(&self, at: &Linearisation, x: &[Vector3<f64>]) -> Vec<f64> {
+        let rows = (0..self.rows()).into_par_iter().with_min_len(CHUNK);
+        let row =
+            |row| self.range(row).map(|i| at.gradients[i].dot(&x[self.places[i].index()])).sum();
+        rows.map(row).collect()
+    }
+}
+
+// Gradients of a condition fit on the stack of whoever asks for one of them.
+const _: () = assert!(MOST_POINTS >= 12);
