@@ -1,6 +1,7 @@
 //! What a mesh shall become, as conditions.
 
 use super::condition::{Conditions, Everywhere};
+use super::gradient::Differentiable;
 use crate::mesh::{FaceId, Topology, VertexId};
 use crate::net::Property;
 use crate::net::euclidean::{ConcyclicInSpace, ConcyclicNormals};
@@ -40,6 +41,23 @@ impl Goal {
         }
     }
 
+    /// The conditions on the top view alone that remain when heights may be chosen; `None` if the goal
+    /// does not split so.
+    ///
+    /// Given the top view, planarity is linear in the heights. i-conical meshes split so where four faces meet
+    /// at each interior vertex.
+    pub fn top_view_conditions(self, topology: &Topology) -> Option<Vec<Box<dyn Conditions>>> {
+        match self {
+            Goal::ICircular => Some(vec![everywhere("concyclic", Concyclic, corners(topology))]),
+            Goal::IConical => {
+                let regular = topology.interior_vertices().all(|v| topology.star(v).count() == 4);
+                let balances = || stars(topology, &[], true).0;
+                regular.then(|| vec![everywhere("angle balance", Balance, balances())])
+            }
+            Goal::Planar | Goal::Circular | Goal::Conical => None,
+        }
+    }
+
     /// The conditions on the vertices, in kinds; those of planarity come first.
     ///
     /// A face of `k` corners has `k − 3` conditions of each kind, a vertex of `n` faces `n − 3`. Which
@@ -49,54 +67,42 @@ impl Goal {
         topology: &Topology,
         points: &[Point<f64>],
     ) -> Vec<Box<dyn Conditions>> {
-        let mut kinds: Vec<Box<dyn Conditions>> = vec![Box::new(Everywhere {
-            name: "planar",
-            residual: Coplanar,
-            places: corners(topology),
-        })];
+        let mut kinds = vec![everywhere("planar", Coplanar, corners(topology))];
         match self {
             Goal::Planar => {}
-            Goal::ICircular => kinds.push(Box::new(Everywhere {
-                name: "concyclic",
-                residual: Concyclic,
-                places: corners(topology),
-            })),
+            Goal::ICircular => kinds.push(everywhere("concyclic", Concyclic, corners(topology))),
             Goal::IConical => {
-                let (balances, places) = stars(topology, points, true);
-                kinds.push(Box::new(Everywhere {
-                    name: "angle balance",
-                    residual: Balance,
-                    places: balances,
-                }));
-                kinds.push(Box::new(Everywhere {
-                    name: "concyclic gradients",
-                    residual: ConcyclicGradients,
-                    places,
-                }));
+                let (balances, planes) = stars(topology, points, true);
+                kinds.push(everywhere("angle balance", Balance, balances));
+                kinds.push(everywhere("concyclic gradients", ConcyclicGradients, planes));
             }
             Goal::Circular => {
                 for projection in
                     [ProjectedArea::TopView, ProjectedArea::AlongX, ProjectedArea::AlongY]
                 {
-                    let places = topology
-                        .faces()
-                        .filter(|&f| widest(topology, points, f) == axis(projection));
-                    kinds.push(Box::new(Everywhere {
-                        name: "circumcircle in space",
-                        residual: ConcyclicInSpace(projection),
-                        places: places.flat_map(|f| quadruples(topology.face(f))).collect(),
-                    }));
+                    let shown = |&f: &FaceId| widest(topology, points, f) == axis(projection);
+                    let faces = topology.faces().filter(shown);
+                    let places = faces.flat_map(|f| quadruples(topology.face(f))).collect();
+                    let residual = ConcyclicInSpace(projection);
+                    kinds.push(everywhere("circumcircle in space", residual, places));
                 }
             }
-            Goal::Conical => kinds.push(Box::new(Everywhere {
-                name: "cone of revolution",
-                residual: ConcyclicNormals,
-                places: stars(topology, points, false).1,
-            })),
+            Goal::Conical => {
+                let planes = stars(topology, points, false).1;
+                kinds.push(everywhere("cone of revolution", ConcyclicNormals, planes));
+            }
         }
         kinds.retain(|kind| !kind.is_empty());
         kinds
     }
+}
+
+fn everywhere<R: Differentiable<K> + 'static, const K: usize>(
+    name: &'static str,
+    residual: R,
+    places: Vec<[VertexId; K]>,
+) -> Box<dyn Conditions> {
+    Box::new(Everywhere { name, residual, places })
 }
 
 /// Three corners far apart with each other corner, for all faces.

@@ -83,7 +83,7 @@ impl Differentiable<4> for Coplanar {
     fn gradient(self, [p, a, b, c]: &[Point<f64>; 4]) -> (f64, [Vector3<f64>; 4]) {
         let (a, b, c) = (a - p, b - p, c - p);
         let [u, v, w] = [b.cross(&c), c.cross(&a), a.cross(&b)];
-        let own = Vector3 { x: -u.x - v.x - w.x, y: -u.y - v.y - w.y, z: -u.z - v.z - w.z };
+        let own = (&(&u + &v) + &w).scaled(&-1.0);
         (a.dot(&u), [own, u, v, w])
     }
 }
