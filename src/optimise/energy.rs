@@ -29,6 +29,10 @@ impl Differentiable<3> for SecondDifference {
         (a - b) + (c - b)
     }
 
+    fn scale(self, points: &[Point<f64>; 3]) -> f64 {
+        points.iter().map(|p| 2.0 * p.coordinates()[self.axis].abs()).sum()
+    }
+
     fn gradient(self, points: &[Point<f64>; 3]) -> (f64, [Vector3<f64>; 3]) {
         (self.value(points), [1.0, -2.0, 1.0].map(|weight| unit(self.axis, weight)))
     }
@@ -38,6 +42,10 @@ impl Differentiable<4> for ForkedDifference {
     fn value(self, points: &[Point<f64>; 4]) -> f64 {
         let [a, b, c, d] = points.each_ref().map(|p| *p.coordinates()[self.axis]);
         (a - b) + 0.5 * ((c - b) + (d - b))
+    }
+
+    fn scale(self, points: &[Point<f64>; 4]) -> f64 {
+        points.iter().map(|p| 2.0 * p.coordinates()[self.axis].abs()).sum()
     }
 
     fn gradient(self, points: &[Point<f64>; 4]) -> (f64, [Vector3<f64>; 4]) {
@@ -120,6 +128,11 @@ impl Conditions for Closeness {
     fn value(&self, condition: usize, points: &[Point<f64>]) -> f64 {
         let at = |points: &[Point<f64>]| *points[condition / 3].coordinates()[condition % 3];
         at(points) - at(&self.from)
+    }
+
+    fn scale(&self, condition: usize, points: &[Point<f64>]) -> f64 {
+        let size = |points: &[Point<f64>]| points[condition / 3].coordinates()[condition % 3].abs();
+        size(points) + size(&self.from)
     }
 
     fn linearise(

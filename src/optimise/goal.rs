@@ -1,7 +1,7 @@
 //! What a mesh shall become, as conditions.
 
 use super::condition::{Conditions, Everywhere};
-use super::gradient::Differentiable;
+use super::gradient::{AnglesInSpace, Differentiable};
 use crate::mesh::{FaceId, Topology, VertexId};
 use crate::net::Property;
 use crate::net::euclidean::{ConcyclicInSpace, ConcyclicNormals};
@@ -51,7 +51,7 @@ impl Goal {
             Goal::ICircular => Some(vec![everywhere("concyclic", Concyclic, corners(topology))]),
             Goal::IConical => {
                 let regular = topology.interior_vertices().all(|v| topology.star(v).count() == 4);
-                let balances = || stars(topology, &[], true).0;
+                let balances = || stars(topology, &[]).0;
                 regular.then(|| vec![everywhere("angle balance", Balance, balances())])
             }
             Goal::Planar | Goal::Circular | Goal::Conical => None,
@@ -72,7 +72,7 @@ impl Goal {
             Goal::Planar => {}
             Goal::ICircular => kinds.push(everywhere("concyclic", Concyclic, corners(topology))),
             Goal::IConical => {
-                let (balances, planes) = stars(topology, points, true);
+                let (balances, planes) = stars(topology, points);
                 kinds.push(everywhere("angle balance", Balance, balances));
                 kinds.push(everywhere("concyclic gradients", ConcyclicGradients, planes));
             }
@@ -88,7 +88,8 @@ impl Goal {
                 }
             }
             Goal::Conical => {
-                let planes = stars(topology, points, false).1;
+                let (angles, planes) = stars(topology, points);
+                kinds.push(everywhere("angles in space", AnglesInSpace, angles));
                 kinds.push(everywhere("cone of revolution", ConcyclicNormals, planes));
             }
         }
@@ -121,21 +122,17 @@ fn spread(n: usize) -> [usize; 3] {
     if n == 4 { [0, 1, 2] } else { [0, n / 3, 2 * n / 3] }
 }
 
-/// The interior vertices of four faces with the ends of their edges, if `balance` asks for it; the others by
-/// triangles of four of their faces.
-fn stars(
-    topology: &Topology,
-    points: &[Point<f64>],
-    balance: bool,
-) -> (Vec<[VertexId; 5]>, Vec<[VertexId; 12]>) {
+/// The interior vertices of four faces with the ends of their edges; those of more by triangles of four of
+/// their faces.
+fn stars(topology: &Topology, points: &[Point<f64>]) -> (Vec<[VertexId; 5]>, Vec<[VertexId; 12]>) {
     let (mut balances, mut planes) = (Vec::new(), Vec::new());
     for v in topology.interior_vertices() {
         let star: Vec<_> = topology.star(v).collect();
         if star.len() < 4 {
             continue;
         }
-        if let ([a, b, c, d], true) = (star.as_slice(), balance) {
-            let [a, b, c, d] = [a, b, c, d].map(|&h| topology.target(h));
+        if let [a, b, c, d] = star.as_slice() {
+            let [a, b, c, d] = [a, b, c, d].map(|h| topology.target(*h));
             balances.push([v, a, b, c, d]);
             continue;
         }

@@ -22,7 +22,7 @@ pub use design::{Design, Designed, Method, Movement};
 pub use energy::{Closeness, fairness};
 pub use frame::Frame;
 pub use goal::Goal;
-pub use gradient::{Differentiable, by_dual_numbers};
+pub use gradient::{AnglesInSpace, Differentiable, by_dual_numbers};
 pub use mobility::Mobility;
 pub use projection::Projection;
 pub use report::{Ending, Stage, Step, Worst};

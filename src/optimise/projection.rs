@@ -64,12 +64,15 @@ impl<'a> Projection<'a> {
             if number == most_steps {
                 return Ending::TooManySteps;
             }
-            // Near the end each step squares the distance, so that more digits are worth their price.
             let size = norm2(&at.residuals).sqrt();
-            let accuracy = (size / last).powi(2).max(f64::EPSILON.sqrt());
+            let gain = size / last;
+            if gain > 0.5 && self.system.is_rounding(points, &at, floor) {
+                return Ending::Converged;
+            }
             last = size;
-            let Some((moved, next)) = self.step(points, &at, accuracy) else {
-                return Ending::Stuck;
+            let Some((moved, next)) = self.step(points, &at, gain) else {
+                let is_rounding = self.system.is_rounding(points, &at, floor);
+                return if is_rounding { Ending::Converged } else { Ending::Stuck };
             };
             (*points, at) = (moved, next);
         }
@@ -81,11 +84,13 @@ impl<'a> Projection<'a> {
         &mut self,
         points: &[Point<f64>],
         at: &Linearisation,
-        accuracy: f64,
+        gain: f64,
     ) -> Option<(Vec<Point<f64>>, Linearisation)> {
         let before = norm2(&at.residuals);
-        // A factor of an earlier matrix first; it is computed anew where that does not do.
-        if let Some(y) = self.solve_by_iteration(at, accuracy)
+        // After a step that gained much the matrix has changed little, and the last factor will do. Each
+        // step squares the distance: digits that would not be seen are not computed.
+        if gain < LITTLE_CHANGE
+            && let Some(y) = self.solve_by_iteration(at, gain.powi(2).max(f64::EPSILON.sqrt()))
             && let Some(next) = self.shift(points, at, &y, before)
         {
             return Some(next);
@@ -169,6 +174,8 @@ impl<'a> Projection<'a> {
     }
 }
 
+/// What a step has to leave of the distance for the last factor to be used again.
+const LITTLE_CHANGE: f64 = 1.0 / 256.0;
 /// How many conjugate gradients are still cheaper than a factor.
 const MOST_ITERATIONS: usize = 8;
 

@@ -145,6 +145,19 @@ impl System {
         residuals
     }
 
+    /// Whether all values are within their rounding: a few units in the last place of the sums of the sizes
+    /// of their terms, beside what coordinates leave of a distance.
+    pub fn is_rounding(&self, points: &[Point<f64>], at: &Linearisation, floor: f64) -> bool {
+        let within = |(kind, rows): (&dyn Conditions, Range<usize>)| {
+            let first = rows.start;
+            rows.into_par_iter().with_min_len(CHUNK).all(|row| {
+                let above = (at.residuals[row].abs() - floor) * at.lengths[row];
+                above <= 16.0 * f64::EPSILON * kind.scale(row - first, points)
+            })
+        };
+        self.kinds().all(within)
+    }
+
     /// The worst condition of each kind.
     pub fn worst(&self, residuals: &[f64]) -> Vec<Worst> {
         let worst = |(kind, rows): (&dyn Conditions, Range<usize>)| {

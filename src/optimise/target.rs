@@ -174,6 +174,11 @@ impl Conditions for VerticalDistance {
         self.over(&points[condition]).0
     }
 
+    fn scale(&self, condition: usize, points: &[Point<f64>]) -> f64 {
+        let p = &points[condition];
+        p.z.abs() + (p.z - self.over(p).0).abs()
+    }
+
     fn linearise(
         &self,
         condition: usize,

@@ -4,7 +4,7 @@ use isogeo::check::Residual;
 use isogeo::net::i_circular::Concyclic;
 use isogeo::net::i_conical::{Balance, ConcyclicGradients};
 use isogeo::net::planar::Coplanar;
-use isogeo::optimise::{Differentiable, by_dual_numbers};
+use isogeo::optimise::{AnglesInSpace, Differentiable, by_dual_numbers};
 use isogeo::scalar::{Dual, Ring};
 use isogeo::space::Point;
 use proptest::prelude::*;
@@ -64,5 +64,26 @@ proptest! {
         let scale: f64 = slopes.iter().zip(&at)
             .map(|(s, p)| (s.x * p.x).abs() + (s.y * p.y).abs() + (s.z * p.z).abs()).sum();
         prop_assert!((along - 16.0 * value).abs() <= 256.0 * f64::EPSILON * (scale + value.abs()));
+    }
+
+    /// The derivative of the angles against differences of twice the step: they agree to second order.
+    #[test]
+    fn angles_in_space_have_their_derivatives(at in points::<5>(), i in 0usize..5, axis in 0usize..3) {
+        let edges = (1..5).map(|k| &at[k] - &at[0]);
+        let edges: Vec<_> = edges.collect();
+        prop_assume!((0..4).all(|k| edges[k].cross(&edges[(k + 1) % 4]).length2() >= 1e4));
+        let slope = AnglesInSpace.gradient(&at).1[i];
+        let slope = [slope.x, slope.y, slope.z][axis];
+        let difference = |h: f64| {
+            let at = |sign: f64| {
+                let mut moved = at;
+                let [x, y, z] = [0, 1, 2].map(|k| if k == axis { sign * h } else { 0.0 });
+                moved[i] = Point::new(at[i].x + x, at[i].y + y, at[i].z + z);
+                AnglesInSpace.value(&moved)
+            };
+            (at(1.0) - at(-1.0)) / (2.0 * h)
+        };
+        prop_assert!((difference(1e-3) - slope).abs() < 1e-6, "{slope} {}", difference(1e-3));
+        prop_assert!((difference(1e-3) + slope).abs() > 1e-6 || slope.abs() < 1e-6);
     }
 }

@@ -36,7 +36,12 @@ fn a_patch_reaches_every_goal() {
     for goal in Goal::ALL {
         let found = run(&Design::new(goal, mesh.points.len()), &mesh);
         let name = goal.property().name();
-        assert_eq!(found.ending, Ending::Converged, "{name}");
+        assert_eq!(
+            found.ending,
+            Ending::Converged,
+            "{name}: {:?}",
+            found.steps.iter().map(|s| s.distance()).collect::<Vec<_>>()
+        );
         let (before, after) =
             (defect(goal, &mesh, &mesh.points), defect(goal, &mesh, &found.points));
         assert!(before > 1e-5, "{name}: {before:e} is no test");
