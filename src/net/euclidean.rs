@@ -13,7 +13,7 @@ use crate::space::{Point, Vector3};
 /// The in-circle determinant of four coplanar points in a projection, with lengths measured in
 /// space: zero iff they lie on a circle or a line, provided the projection is one-to-one.
 #[derive(Clone, Copy, Debug)]
-pub struct ConcyclicInSpace(ProjectedArea);
+pub struct ConcyclicInSpace(pub ProjectedArea);
 
 impl Residual<4> for ConcyclicInSpace {
     const TRANSLATES: bool = true;

@@ -1,0 +1,85 @@
+//! Sparse Cholesky factorisation: the analysis is made once, the numbers often.
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering,
+    factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par, Side};
+
+/// Why a system of equations was not solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoFactor {
+    /// There is not enough memory.
+    OutOfMemory,
+    /// The matrix is not positive definite, as far as doubles tell.
+    NotPositive,
+}
+
+/// The factor `L` of a positive definite matrix `L Lᵀ`.
+pub struct Cholesky {
+    symbolic: SymbolicCholesky<u32>,
+    values: Vec<f64>,
+    buffer: MemBuffer,
+    size: usize,
+}
+
+impl Cholesky {
+    /// Analyses the pattern of a lower triangle, by columns.
+    ///
+    /// # Errors
+    /// [`NoFactor::OutOfMemory`].
+    pub fn analyse(starts: &[u32], rows: &[u32]) -> Result<Self, NoFactor> {
+        let size = starts.len() - 1;
+        let pattern = SymbolicSparseColMatRef::new_checked(size, size, starts, None, rows);
+        let params = CholeskySymbolicParams::default();
+        let symbolic =
+            factorize_symbolic_cholesky(pattern, Side::Lower, SymmetricOrdering::Amd, params)
+                .map_err(|_| NoFactor::OutOfMemory)?;
+        let par = Par::rayon(0);
+        let scratch = symbolic
+            .factorize_numeric_llt_scratch::<f64>(par, Default::default())
+            .or(symbolic.solve_in_place_scratch::<f64>(1, par));
+        let buffer = MemBuffer::try_new(scratch).map_err(|_| NoFactor::OutOfMemory)?;
+        let values = vec![0.0; symbolic.len_val()];
+        Ok(Cholesky { symbolic, values, buffer, size })
+    }
+
+    /// Computes the factor of the matrix with these entries in the lower triangle.
+    ///
+    /// # Errors
+    /// [`NoFactor::NotPositive`].
+    pub fn factorise(
+        &mut self,
+        starts: &[u32],
+        rows: &[u32],
+        values: &[f64],
+    ) -> Result<(), NoFactor> {
+        let pattern =
+            SymbolicSparseColMatRef::new_checked(self.size, self.size, starts, None, rows);
+        let matrix = SparseColMatRef::new(pattern, values);
+        let found = self.symbolic.factorize_numeric_llt(
+            &mut self.values,
+            matrix,
+            Side::Lower,
+            LltRegularization::default(),
+            Par::rayon(0),
+            MemStack::new(&mut self.buffer),
+            Default::default(),
+        );
+        found.map(|_| ()).map_err(|_| NoFactor::NotPositive)
+    }
+
+    /// Solves with the factor that was computed last.
+    pub fn solve(&mut self, x: &mut [f64]) {
+        let size = self.size;
+        LltRef::<'_, u32, f64>::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+            Conj::No,
+            MatMut::from_column_major_slice_mut(x, size, 1),
+            Par::rayon(0),
+            MemStack::new(&mut self.buffer),
+        );
+    }
+}

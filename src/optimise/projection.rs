@@ -1,0 +1,198 @@
+//! The way of a mesh to its conditions: Gauss-Newton steps of least length.
+
+use super::Mobility;
+use super::cholesky::{Cholesky, NoFactor};
+use super::normal::NormalMatrix;
+use super::report::{Ending, Stage, Step};
+use super::system::{Linearisation, System};
+use crate::space::{Point, Vector3};
+
+/// Moves points to where a system of conditions holds, along steps `−Jᵀ (J Jᵀ)⁻¹ r`: of all steps to where
+/// the linearised conditions hold they are the shortest.
+///
+/// `J` and `r` are divided row by row by the lengths of the gradients, so that nothing depends on the
+/// unit of length or on how a condition is written. Where conditions depend on each other or
+/// contradict each other, a damping grows until a step makes them better.
+pub struct Projection<'a> {
+    system: &'a System,
+    mobility: &'a [Mobility],
+    matrix: NormalMatrix,
+    factor: Cholesky,
+    damping: f64,
+    /// Whether `factor` is that of some earlier matrix.
+    is_factorised: bool,
+}
+
+impl<'a> Projection<'a> {
+    /// Analyses how the conditions are coupled.
+    ///
+    /// # Errors
+    /// Where the memory does not suffice.
+    pub fn new(system: &'a System, mobility: &'a [Mobility]) -> Result<Self, NoFactor> {
+        let matrix = NormalMatrix::new(system, mobility.len());
+        let factor = Cholesky::analyse(&matrix.starts, &matrix.rows)?;
+        Ok(Projection {
+            system,
+            mobility,
+            matrix,
+            factor,
+            damping: f64::EPSILON,
+            is_factorised: false,
+        })
+    }
+
+    /// Runs until the distances are those of rounding, or nothing gets better, or `go_on` says no.
+    pub fn run(
+        &mut self,
+        points: &mut Vec<Point<f64>>,
+        most_steps: usize,
+        stage: Stage,
+        mut go_on: impl FnMut(&Step) -> bool,
+    ) -> Ending {
+        let floor = rounding(points);
+        let mut at = self.system.linearise(points, self.mobility);
+        let mut last = f64::INFINITY;
+        for number in 0.. {
+            let worst = self.system.worst(&at.residuals);
+            let step = Step { stage, number, energy: None, worst, damping: self.damping };
+            if !go_on(&step) {
+                return Ending::Stopped;
+            }
+            if step.distance() <= floor {
+                return Ending::Converged;
+            }
+            if number == most_steps {
+                return Ending::TooManySteps;
+            }
+            let size = norm2(&at.residuals).sqrt();
+            let gain = size / last;
+            if gain > 0.5 && self.system.is_rounding(points, &at, floor) {
+                return Ending::Converged;
+            }
+            last = size;
+            let Some((moved, next)) = self.step(points, &at, gain) else {
+                let is_rounding = self.system.is_rounding(points, &at, floor);
+                return if is_rounding { Ending::Converged } else { Ending::Stuck };
+            };
+            (*points, at) = (moved, next);
+        }
+        Ending::TooManySteps
+    }
+
+    /// The next points and their linearisation; `None` if no step makes the conditions better.
+    fn step(
+        &mut self,
+        points: &[Point<f64>],
+        at: &Linearisation,
+        gain: f64,
+    ) -> Option<(Vec<Point<f64>>, Linearisation)> {
+        let before = norm2(&at.residuals);
+        // After a step that gained much the matrix has changed little, and the last factor will do. Each
+        // step squares the distance: digits that would not be seen are not computed.
+        if gain < LITTLE_CHANGE
+            && let Some(y) = self.solve_by_iteration(at, gain.powi(2).max(f64::EPSILON.sqrt()))
+            && let Some(next) = self.shift(points, at, &y, before)
+        {
+            return Some(next);
+        }
+        loop {
+            self.matrix.fill(self.system, at, self.damping);
+            let NormalMatrix { starts, rows, values, .. } = &self.matrix;
+            self.is_factorised = self.factor.factorise(starts, rows, values).is_ok();
+            if self.is_factorised {
+                let mut y = at.residuals.clone();
+                self.factor.solve(&mut y);
+                if let Some(next) = self.shift(points, at, &y, before) {
+                    return Some(next);
+                }
+            }
+            if self.damping >= 1.0 {
+                return None;
+            }
+            self.damping *= 256.0;
+        }
+    }
+
+    /// Moves along `−Jᵀ y`, as far as it makes the conditions better.
+    fn shift(
+        &mut self,
+        points: &[Point<f64>],
+        at: &Linearisation,
+        y: &[f64],
+        before: f64,
+    ) -> Option<(Vec<Point<f64>>, Linearisation)> {
+        let shift = self.system.transposed(at, y, points.len());
+        // A shorter step where the whole one is too long for the linearisation.
+        for part in [1.0, 0.5, 0.25, 0.125] {
+            let moved = moved(points, &shift, -part);
+            let after = norm2(&self.system.residuals(&moved, &at.lengths));
+            if after < before {
+                if part == 1.0 {
+                    self.damping = (self.damping / 16.0).max(f64::EPSILON);
+                }
+                let next = self.system.linearise(&moved, self.mobility);
+                return Some((moved, next));
+            }
+        }
+        None
+    }
+
+    /// Solves `(J Jᵀ + δ) y = r` by conjugate gradients, preconditioned by the last factor, to a part of
+    /// `|r|`. `None` without a factor, or if it is no longer close enough.
+    fn solve_by_iteration(&mut self, at: &Linearisation, accuracy: f64) -> Option<Vec<f64>> {
+        if !self.is_factorised {
+            return None;
+        }
+        let goal = accuracy * accuracy * norm2(&at.residuals);
+        let (mut y, mut rest) = (vec![0.0; at.residuals.len()], at.residuals.clone());
+        let mut direction: Vec<f64> = Vec::new();
+        let mut last = 1.0;
+        for _ in 0..MOST_ITERATIONS {
+            let mut better = rest.clone();
+            self.factor.solve(&mut better);
+            let weight = dot(&rest, &better);
+            if direction.is_empty() {
+                direction = better;
+            } else {
+                let part = weight / last;
+                direction.iter_mut().zip(better).for_each(|(d, b)| *d = b + part * *d);
+            }
+            last = weight;
+            let shift = self.system.transposed(at, &direction, self.mobility.len());
+            let mut image = self.system.times(at, &shift);
+            for ((image, d), free) in image.iter_mut().zip(&direction).zip(&at.free) {
+                *image += if *free { self.damping * d } else { *d };
+            }
+            let step = weight / dot(&direction, &image);
+            y.iter_mut().zip(&direction).for_each(|(y, d)| *y += step * d);
+            rest.iter_mut().zip(&image).for_each(|(r, i)| *r -= step * i);
+            if norm2(&rest) <= goal {
+                return Some(y);
+            }
+        }
+        None
+    }
+}
+
+/// What a step has to leave of the distance for the last factor to be used again.
+const LITTLE_CHANGE: f64 = 1.0 / 256.0;
+/// How many conjugate gradients are still cheaper than a factor.
+const MOST_ITERATIONS: usize = 8;
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// What is left of a distance when coordinates are rounded.
+fn rounding(points: &[Point<f64>]) -> f64 {
+    let sizes = points.iter().flat_map(|p| p.coordinates().map(|c| c.abs()));
+    4.0 * f64::EPSILON * sizes.fold(0.0, f64::max)
+}
+
+pub(super) fn norm2(values: &[f64]) -> f64 {
+    values.iter().map(|v| v * v).sum()
+}
+
+pub(super) fn moved(points: &[Point<f64>], shift: &[Vector3<f64>], factor: f64) -> Vec<Point<f64>> {
+    points.iter().zip(shift).map(|(p, s)| p + &s.scaled(&factor)).collect()
+}
