@@ -11,6 +11,7 @@ mod gradient;
 mod mobility;
 mod normal;
 mod projection;
+pub mod rationalise;
 mod report;
 mod system;
 mod target;
