@@ -15,7 +15,7 @@ use crate::figure::comparison;
 use crate::mesh::file::{Options, write_whole};
 use crate::mesh::{Mesh, Topology, VertexId, VertexKind};
 use crate::net::Net;
-use crate::optimise::{Design, Ending, Goal, Method, Mobility, Movement, Step, Target};
+use crate::optimise::{Design, Ending, Goal, Method, Mobility, Movement, Step, Target, mean_edge};
 use crate::scalar::{Approx, Numeral, Rational};
 use crate::space::Point;
 
@@ -71,7 +71,8 @@ impl Round {
         interrupted: &AtomicBool,
     ) -> Result<Round, Failure> {
         let design = Design {
-            fairness: options.fairness.unwrap_or(0.0),
+            fairness: options.fairness,
+            shape: options.shape,
             target,
             mobility: mobility(options, mesh)?,
             method: match options.method {
@@ -94,7 +95,7 @@ impl Round {
         bar.finish_and_clear();
         let found = found.map_err(|_| Failure::io("there is not enough memory for this mesh"))?;
         let movement = Movement::between(&mesh.points, &found.points);
-        let edge = mean_edge(mesh);
+        let edge = mean_edge(&mesh.topology, &mesh.points);
         Ok(Round { points: found.points, steps: found.steps, ending: found.ending, movement, edge })
     }
 
@@ -232,13 +233,6 @@ fn mobility(options: &OptimizeOptions, mesh: &Mesh<f64>) -> Result<Vec<Mobility>
 /// A boundary vertex in one face.
 fn is_corner(topology: &Topology, v: VertexId) -> bool {
     topology.kind(v) == VertexKind::Boundary && topology.star(v).count() == 1
-}
-
-fn mean_edge(mesh: &Mesh<f64>) -> f64 {
-    let topology = &mesh.topology;
-    let ends = |h| [topology.origin(h), topology.target(h)].map(|v| &mesh.points[v.index()]);
-    let lengths = topology.edges().map(ends).map(|[p, q]| (p - q).length2().sqrt());
-    lengths.sum::<f64>() / topology.edge_count().max(1) as f64
 }
 
 /// Whether Ctrl-C was pressed; a second time ends the program.
