@@ -11,6 +11,7 @@ mod pairs;
 mod samples;
 mod shell;
 mod spheres;
+mod subdivide;
 
 use insta::assert_snapshot;
 
@@ -37,6 +38,7 @@ fn help_has_an_example() {
         "move",
         "invert",
         "transfer",
+        "subdivide",
         "completions",
         "man",
     ];

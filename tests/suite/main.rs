@@ -20,6 +20,7 @@ mod pages;
 mod pairs;
 mod scalars;
 mod space;
+mod subdivision;
 mod topology;
 mod transfer;
 mod triangulate;
