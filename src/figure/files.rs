@@ -2,6 +2,8 @@
 
 use serde_json::json;
 
+#[cfg(feature = "png")]
+use super::draw::png;
 use super::draw::{pdf, svg, tikz};
 use super::page::{Sight, page};
 use super::{Exhibit, Figure, Plate};
@@ -20,6 +22,8 @@ pub enum Kind {
     Svg,
     /// The picture for LaTeX and for print.
     Pdf,
+    /// The picture as pixels, 300 to the inch; for builds with the feature `png`.
+    Png,
     /// The picture as a LaTeX source.
     Tikz,
     /// The meshes for ParaView.
@@ -30,8 +34,13 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Kind; 6] =
-        [Kind::Json, Kind::Svg, Kind::Pdf, Kind::Tikz, Kind::Vtu, Kind::Html];
+    pub const ALL: [Kind; 7] =
+        [Kind::Json, Kind::Svg, Kind::Pdf, Kind::Png, Kind::Tikz, Kind::Vtu, Kind::Html];
+
+    /// Whether this build writes it.
+    pub fn is_built(self) -> bool {
+        self != Kind::Png || cfg!(feature = "png")
+    }
 }
 
 impl Figure {
@@ -43,7 +52,7 @@ impl Figure {
     /// The names and contents of its files of one kind; the same on every machine.
     ///
     /// # Errors
-    /// Where a mesh has no text in the format.
+    /// Where a mesh has no text in the format, or the build does not have the kind.
     pub fn files(&self, plate: &Plate, kind: Kind) -> Result<Vec<(String, Vec<u8>)>, FileError> {
         let folder = self.folder();
         let meshes = |format, extension: &str| -> Result<Vec<_>, FileError> {
@@ -66,6 +75,7 @@ impl Figure {
                 Ok(vec![(format!("{folder}.svg"), svg(&plate.scene, self.title).into_bytes())])
             }
             Kind::Pdf => Ok(vec![(format!("{folder}.pdf"), pdf(&plate.scene, self.title))]),
+            Kind::Png => Ok(vec![picture(format!("{folder}.png"), plate)?]),
             Kind::Tikz => Ok(vec![(format!("{folder}.tex"), tikz(&plate.scene).into_bytes())]),
         }
     }
@@ -118,4 +128,19 @@ impl Figure {
         let sights: Vec<Sight<'_>> = sights.collect();
         page(&format!("Fig. {}: {}", self.number, self.title), self.caption, &sights)
     }
+}
+
+#[cfg(feature = "png")]
+fn picture(name: String, plate: &Plate) -> Result<(String, Vec<u8>), FileError> {
+    match png(&plate.scene) {
+        Some(picture) => Ok((name, picture)),
+        None => Err(FileError::new("size", "png", &name, "the picture has no size for print")),
+    }
+}
+
+#[cfg(not(feature = "png"))]
+fn picture(name: String, _: &Plate) -> Result<(String, Vec<u8>), FileError> {
+    let message = "PNG pictures are not drawn by this build";
+    let help = "build with the feature 'png': cargo install --path . --features png";
+    Err(FileError::new("feature", "png", &name, message).help(help))
 }

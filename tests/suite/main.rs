@@ -16,6 +16,8 @@ mod meshes;
 mod nets;
 mod pages;
 mod pairs;
+#[cfg(feature = "png")]
+mod png;
 mod scalars;
 mod space;
 mod topology;

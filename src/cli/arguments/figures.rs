@@ -20,7 +20,7 @@ pub struct FigureOptions {
     /// The folder for the figures
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// What to write, separated by commas [default: all]
+    /// What to write, separated by commas [default: all that this build has]
     #[arg(long = "as", value_enum, value_name = "KIND", value_delimiter = ',')]
     pub kinds: Vec<FigureKind>,
     /// Write nothing: compare with what is there
@@ -37,6 +37,8 @@ pub enum FigureKind {
     Svg,
     /// The picture for LaTeX and for print
     Pdf,
+    /// The picture at 300 dots per inch; for builds with the feature png
+    Png,
     /// The picture as a LaTeX source
     Tikz,
     /// The meshes for ParaView
