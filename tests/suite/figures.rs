@@ -107,6 +107,45 @@ fn what_is_nearer_is_painted_later() -> Result<(), String> {
     Ok(())
 }
 
+/// The graph of a wave that hides itself, its highest line marked.
+fn wave() -> Model {
+    let at = |i: i32, j: i32| {
+        let (x, y) = (f64::from(i) / 5.0 - 1.1, f64::from(j) / 5.0 - 1.1);
+        [x, y, (1.0 - 3.0 * y * y) * y * y * 2.0 + x / 4.0]
+    };
+    let mut model = Model::default();
+    for (i, j) in (0..11).flat_map(|i| (0..11).map(move |j| (i, j))) {
+        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        for corners in [[a, b, c], [a, c, d]] {
+            model.pieces.push(triangle(corners, model.pieces.len() as u8));
+        }
+    }
+    model.add_line((0..12).map(|i| at(i, 3)), INK);
+    model
+}
+
+#[test]
+fn what_goes_through_nothing_is_painted_whole() -> Result<(), String> {
+    for viewer in [[3.0, -5.0, 3.0], [1.0, -5.0, 1.0], [-1.0, 4.0, 2.0], [0.0, -1.0, 4.0]] {
+        let (model, view) = (wave(), View::from(viewer));
+        let items = painted(&model, &view);
+        assert_eq!(items.len(), model.pieces.len());
+        assert!(compare(&model, &view, &items)? > 300);
+        // No face that has an edge on the marked line is painted after it.
+        for (number, item) in items.iter().enumerate() {
+            let Item::Polyline { points, .. } = item else { continue };
+            let covers = |item: &Item| {
+                matches!(item, Item::Polygon { corners, .. }
+                if points.iter().all(|p| corners.contains(p)))
+            };
+            let places = items.iter().enumerate().filter(|(_, item)| covers(item));
+            assert_eq!(places.clone().count(), 2);
+            assert!(places.map(|(place, _)| place).max() < Some(number), "{viewer:?}");
+        }
+    }
+    Ok(())
+}
+
 #[test]
 fn the_raster_notices_a_wrong_order() {
     let model = pierced(1);
@@ -172,11 +211,11 @@ fn figures_come_in_the_order_of_the_paper() {
 
 #[test]
 fn few_faces_are_cut() {
-    // Planes of thin parts instead of those of their faces cut these 154 hexagons again and again.
+    // Of these 154 hexagons only those at the gap of the left mesh go through each other.
     let plate = Figure::ALL.iter().find(|f| f.number == 10).and_then(|f| f.plate().ok());
     let items = plate.expect("figure 10").scene.items;
     let pieces = items.iter().filter(|item| matches!(item, Item::Polygon { .. })).count();
-    assert!((154..400).contains(&pieces), "{pieces} pieces");
+    assert!((154..200).contains(&pieces), "{pieces} pieces");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod color;
 mod model;
+mod order;
 mod painter;
 mod pdf;
 #[cfg(feature = "png")]
