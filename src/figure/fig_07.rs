@@ -45,8 +45,8 @@ fn make() -> Result<Plate, NoFigure> {
         let is = [Property::Planar, Property::IIsothermic];
         let pair = [PairProperty::FParallel, PairProperty::ChristoffelDual];
         [
-            Exhibit::new(names[0], mesh).is(&is).with(names[1], &pair),
-            Exhibit::new(names[1], dual).is(&is),
+            Exhibit::new(names[0], mesh).is(&is),
+            Exhibit::new(names[1], dual).is(&is).gauss(names[0], &pair),
         ]
     };
     let quads = pair(["quad", "quad-dual"], quad, quad_dual);

@@ -49,7 +49,7 @@ fn make() -> Result<Plate, NoFigure> {
         scene.text([x + 25.0, 3.0], 3.0, Anchor::Middle, label);
         let pair_properties = [PairProperty::FParallel, property];
         exhibits.push(
-            Exhibit::new(name, pair.surface).is(&[Property::Planar]).with(image, &pair_properties),
+            Exhibit::new(name, pair.surface).is(&[Property::Planar]).gauss(image, &pair_properties),
         );
         exhibits.push(Exhibit::new(image, pair.gauss).is(&[Property::Planar]));
     }

@@ -1,13 +1,14 @@
 //! Figures: the painter's order against a z-buffer, files against what is committed.
 
-use isogeo::figure::Figure;
 use isogeo::figure::draw::{
     Color, Item, Model, Paint, Piece, Scene, Stroke, View, painted, svg, tikz,
 };
+use isogeo::figure::{Figure, Kind, Plate};
 use isogeo::mesh::VertexId;
 use isogeo::net::Property;
-use isogeo::pair::PairProperty;
+use isogeo::pair::{Curvatures, FParallel, PairProperty, VParallel};
 use isogeo::scalar::{Rational, Ring};
+use serde_json::{Value, json};
 
 const INK: Stroke = Stroke::new(Color::INK, 0.1);
 
@@ -195,6 +196,73 @@ fn the_refusal_names_what_is_wrong() {
     let flat = plate.exhibits[0].clone().shows("flat", |m| m.points.iter().all(|p| p.z.is_zero()));
     let found = flat.check(&plate.exhibits).map_err(|what| what.to_string());
     assert_eq!(found, Err("enneper: flat is refuted".into()));
+}
+
+/// The facts of a figure, as they are written.
+fn facts(number: u8) -> (Plate, Value) {
+    let figure = Figure::ALL.iter().find(|f| f.number == number).expect("a figure");
+    let plate = figure.plate().expect("a plate");
+    let (_, text) = figure.files(&plate, Kind::Json).expect("files").pop().expect("the facts");
+    (plate, serde_json::from_slice(&text).expect("JSON"))
+}
+
+#[test]
+fn facts_give_the_curvatures_of_pairs() {
+    let mut found = Vec::new();
+    for number in 1..=11 {
+        let (plate, facts) = facts(number);
+        for (exhibit, facts) in
+            plate.exhibits.iter().zip(facts["meshes"].as_array().expect("meshes"))
+        {
+            let list = &facts["curvatures"];
+            assert_eq!(exhibit.gauss.is_some(), list.is_object(), "{}", exhibit.name);
+            let Some(gauss) = exhibit.gauss else { continue };
+            let image = plate.exhibits.iter().find(|e| e.name == gauss).expect("an image");
+            let (mesh, image, at) =
+                (&exhibit.mesh, &image.mesh, list["at"].as_str().expect("a place"));
+            // By the definitions, on a pair that checks itself.
+            let expected: Vec<_> = if at == "faces" {
+                let pair = FParallel::new(mesh, image).expect("a pair");
+                let all = mesh
+                    .topology
+                    .faces()
+                    .map(|f| pair.face_curvatures(f).map_err(|e| e.to_string()));
+                all.collect()
+            } else {
+                let pair = VParallel::new(mesh, image).expect("a pair");
+                let all = (0..mesh.points.len() as u32).map(VertexId);
+                all.map(|v| pair.vertex_curvatures(v).map_err(|e| e.to_string())).collect()
+            };
+            let values = list["values"].as_array().expect("values");
+            assert_eq!(values.len(), expected.len());
+            for (value, expected) in values.iter().zip(&expected) {
+                match expected {
+                    Ok(Curvatures { mean, gauss }) => {
+                        assert_eq!(
+                            (&value["H"], &value["K"]),
+                            (&json!(mean.to_string()), &json!(gauss.to_string()))
+                        );
+                    }
+                    Err(reason) => assert_eq!(value["undefined"], json!(reason)),
+                }
+            }
+            let defined = values.iter().filter(|v| v["H"].is_string()).count();
+            found.push(format!("{number} {} {at} {defined}/{}", exhibit.name, values.len()));
+        }
+    }
+    insta::assert_snapshot!(found.join("\n"));
+}
+
+#[test]
+fn the_diagrams_of_figure_11_show_its_facts() {
+    let (plate, facts) = facts(11);
+    let values = facts["meshes"][0]["curvatures"]["values"].as_array().expect("values");
+    for (name, key) in [("mean-curvature", "H"), ("curvature", "K")] {
+        let diagram = &plate.exhibits.iter().find(|e| e.name == name).expect("a diagram").mesh;
+        let heights: Vec<String> = diagram.points.iter().map(|p| p.z.to_string()).collect();
+        let listed: Vec<&str> = values.iter().filter_map(|v| v[key].as_str()).collect();
+        assert_eq!(heights, listed);
+    }
 }
 
 #[test]

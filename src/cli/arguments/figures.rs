@@ -31,7 +31,7 @@ pub struct FigureOptions {
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FigureKind {
-    /// The exact meshes, .iso.json
+    /// The exact meshes, .iso.json, and what is said of them, with H and K
     Json,
     /// The picture for pages
     Svg,
