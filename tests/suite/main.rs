@@ -23,3 +23,4 @@ mod space;
 mod topology;
 mod transfer;
 mod triangulate;
+mod vtu;
