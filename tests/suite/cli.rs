@@ -8,6 +8,7 @@ mod invariance;
 mod koebe;
 mod make;
 mod pairs;
+mod png;
 mod samples;
 mod shell;
 mod spheres;
