@@ -106,10 +106,11 @@ pub fn subdivide_planes<T: Field>(
     let inside = topology.interior_vertices().flat_map(|v| topology.star(v));
     for (h, quad) in inside.zip(fine.topology.faces()) {
         let poles = fine.topology.face(quad).iter().map(|pole| &fine.points[pole.index()]);
-        let plane = Plane::nearest(&poles.collect::<Vec<_>>()).ok_or(NoPlaneSubdivision::NoPoint {
-            vertex: topology.origin(h),
-            face: topology.face_at(h),
-        })?;
+        let plane =
+            Plane::nearest(&poles.collect::<Vec<_>>()).ok_or(NoPlaneSubdivision::NoPoint {
+                vertex: topology.origin(h),
+                face: topology.face_at(h),
+            })?;
         corners[h.0 as usize] = plane.dual();
     }
     let faces = refined_faces(topology);
