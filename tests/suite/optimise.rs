@@ -1,4 +1,5 @@
 //! Optimisation: derivatives, steps, goals.
 
+mod curvatures;
 mod derivatives;
 mod goals;
