@@ -6,7 +6,7 @@
 use std::time::Instant;
 
 use isogeo::mesh::{FaceList, Mesh};
-use isogeo::optimise::{Goal, Mobility, Projection, System};
+use isogeo::optimise::{Goal, Mobility, Projection, Stage, System};
 use isogeo::space::Point;
 
 /// The number in [0, 1) of an index, for a seed.
@@ -76,8 +76,8 @@ fn main() {
                 let mut projection = Projection::new(&system, &mobility).expect("memory");
                 let t1 = start.elapsed().as_secs_f64();
                 let mut log = Vec::new();
-                let ending = projection.run(&mut points, 20, |step| {
-                    let worst = step.worst.iter().map(|w| w.distance).fold(0.0, f64::max);
+                let ending = projection.run(&mut points, 20, Stage::Projection, |step| {
+                    let worst = step.distance();
                     log.push((worst / edge, start.elapsed().as_secs_f64()));
                     true
                 });
@@ -88,7 +88,7 @@ fn main() {
                 if seconds < best {
                     best = seconds;
                     line = format!(
-                        "{:10} {:8} {seconds:10.4} {:5}  {:8.1e}  {rms:.5}  {ending:?} {t0:.4} {t1:.4} {log:.1e?}",
+                        "{:10} {:8} {seconds:10.4} {:5}  {:8.1e}  {rms:.5}  {ending:?} {t0:.4} {t1:.4} {log:.4?}",
                         goal.property().name(),
                         mesh.topology.face_count(),
                         log.len() - 1,

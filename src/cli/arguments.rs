@@ -1,6 +1,8 @@
 //! Commands and options.
 
 mod claims;
+#[cfg(feature = "optimise")]
+mod design;
 mod figures;
 mod pairs;
 mod spheres;
@@ -13,6 +15,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::scalar::ReadAs;
 pub use claims::{ClaimsCommand, ClaimsOptions, VerifyOptions};
+#[cfg(feature = "optimise")]
+pub use design::{Approach, OptimizeOptions, Slide, Wish};
 pub use figures::{FigureKind, FigureOptions, ViewOptions};
 pub use pairs::{
     At, ChristoffelOptions, CurvatureOptions, GaussKind, GaussOptions, MakeOptions, OffsetOptions,
@@ -67,6 +71,8 @@ pub enum Command {
     Triangulate(TriangulateOptions),
     Accuracy(AccuracyOptions),
     Claims(ClaimsOptions),
+    #[cfg(feature = "optimise")]
+    Optimize(OptimizeOptions),
     Figure(FigureOptions),
     View(ViewOptions),
     /// Print a completion script for a shell

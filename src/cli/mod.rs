@@ -19,6 +19,8 @@ mod make;
 mod motion;
 mod numbers;
 mod offset;
+#[cfg(feature = "optimise")]
+mod optimize;
 mod output;
 mod transfer;
 mod triangulate;
@@ -44,6 +46,9 @@ enum Status {
     BadInput,
     /// Nothing refuted, but not everything proved.
     Open,
+    /// Somebody pressed Ctrl-C.
+    #[cfg(feature = "optimise")]
+    Interrupted,
 }
 
 impl From<Status> for ExitCode {
@@ -53,6 +58,8 @@ impl From<Status> for ExitCode {
             Status::Refuted => 1,
             Status::BadInput => 2,
             Status::Open => 3,
+            #[cfg(feature = "optimise")]
+            Status::Interrupted => 130,
         })
     }
 }
@@ -102,6 +109,8 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Triangulate(options) => triangulate::run(&options, layout),
         Command::Accuracy(options) => accuracy::run(&options, layout),
         Command::Claims(options) => claims::run(&options, layout),
+        #[cfg(feature = "optimise")]
+        Command::Optimize(options) => optimize::run(&options, layout),
         Command::Figure(options) => figure::run(&options, layout),
         Command::View(options) => view::run(&options, layout),
         Command::Completions { shell } => {

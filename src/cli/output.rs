@@ -114,7 +114,12 @@ pub fn slow_steps(count: usize, what: &'static str) -> ProgressBar {
 /// A sign of life on a terminal while something large is done; silent elsewhere.
 pub fn progress(size: usize, what: &'static str) -> ProgressBar {
     const LARGE: usize = 200_000;
-    if size < LARGE || !io::stderr().is_terminal() {
+    if size < LARGE { ProgressBar::hidden() } else { spinner(what) }
+}
+
+/// A sign of life on a terminal; silent elsewhere.
+pub fn spinner(what: &'static str) -> ProgressBar {
+    if !io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
     let bar = ProgressBar::new_spinner().with_message(what);

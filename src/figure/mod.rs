@@ -3,6 +3,7 @@
 //! A [`Figure`] makes exact meshes, says what holds on them, and draws them. What it says is checked
 //! before it is drawn: there is no picture of something that does not hold.
 
+mod comparison;
 pub mod draw;
 mod exhibit;
 mod fig_01;
@@ -23,6 +24,7 @@ mod nets;
 pub mod page;
 mod sheet;
 
+pub use comparison::comparison;
 pub use exhibit::{Exhibit, NotSo, Remark};
 pub use files::Kind;
 pub use gallery::{gallery, index};

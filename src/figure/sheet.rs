@@ -1,7 +1,7 @@
 //! What the sheets of figures share: meshes in space, top views, circles.
 
-use super::Surface;
 use super::draw::{Color, Item, Model, Paint, Stroke, View, painted};
+use crate::mesh::Mesh;
 use crate::scalar::{Approx, Rational};
 use crate::space::OrientedCircle;
 
@@ -17,7 +17,7 @@ pub(super) const OTHER: Stroke = Stroke::new(Color::OTHER_CIRCLE, 0.14);
 pub(super) const SURFACE: Paint = Paint::Sides([Color::FRONT, Color::BACK]);
 
 /// A mesh with both sides of its faces.
-pub(super) fn solid(mesh: &Surface) -> Model {
+pub(super) fn solid<T: Approx>(mesh: &Mesh<T>) -> Model {
     let mut model = Model::default();
     model.add_mesh(mesh, EDGE, |_| SURFACE);
     model
@@ -51,12 +51,12 @@ pub(super) fn round() -> impl Iterator<Item = [f64; 2]> {
 }
 
 /// The top view of a mesh: its edges.
-pub(super) fn top_view(mesh: &Surface) -> Vec<Item> {
+pub(super) fn top_view<T: Approx>(mesh: &Mesh<T>) -> Vec<Item> {
     painted(&flat(mesh), &View::TOP)
 }
 
 /// The edges of a mesh in the plane of its top view.
-pub(super) fn flat(mesh: &Surface) -> Model {
+pub(super) fn flat<T: Approx>(mesh: &Mesh<T>) -> Model {
     let mut model = Model::default();
     model.add_mesh(mesh, THIN, |_| Paint::Wire);
     model.map(|[x, y, _]| [x, y, 0.0])

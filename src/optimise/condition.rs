@@ -26,6 +26,9 @@ pub trait Conditions: Send + Sync {
     /// The value of a condition.
     fn value(&self, condition: usize, points: &[Point<f64>]) -> f64;
 
+    /// The sum of the sizes of the terms of the value.
+    fn scale(&self, condition: usize, points: &[Point<f64>]) -> f64;
+
     /// The value, and the derivatives by its points in their order.
     fn linearise(
         &self,
@@ -67,6 +70,10 @@ impl<R: Differentiable<K>, const K: usize> Conditions for Everywhere<R, K> {
 
     fn value(&self, condition: usize, points: &[Point<f64>]) -> f64 {
         self.residual.value(&self.corners(condition, points))
+    }
+
+    fn scale(&self, condition: usize, points: &[Point<f64>]) -> f64 {
+        self.residual.scale(&self.corners(condition, points))
     }
 
     fn linearise(

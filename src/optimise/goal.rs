@@ -1,6 +1,7 @@
 //! What a mesh shall become, as conditions.
 
 use super::condition::{Conditions, Everywhere};
+use super::gradient::{AnglesInSpace, Differentiable};
 use crate::mesh::{FaceId, Topology, VertexId};
 use crate::net::Property;
 use crate::net::euclidean::{ConcyclicInSpace, ConcyclicNormals};
@@ -40,6 +41,23 @@ impl Goal {
         }
     }
 
+    /// The conditions on the top view alone that remain when heights may be chosen; `None` if the goal
+    /// does not split so.
+    ///
+    /// Given the top view, planarity is linear in the heights. i-conical meshes split so where four faces meet
+    /// at each interior vertex.
+    pub fn top_view_conditions(self, topology: &Topology) -> Option<Vec<Box<dyn Conditions>>> {
+        match self {
+            Goal::ICircular => Some(vec![everywhere("concyclic", Concyclic, corners(topology))]),
+            Goal::IConical => {
+                let regular = topology.interior_vertices().all(|v| topology.star(v).count() == 4);
+                let balances = || stars(topology, &[]).0;
+                regular.then(|| vec![everywhere("angle balance", Balance, balances())])
+            }
+            Goal::Planar | Goal::Circular | Goal::Conical => None,
+        }
+    }
+
     /// The conditions on the vertices, in kinds; those of planarity come first.
     ///
     /// A face of `k` corners has `k − 3` conditions of each kind, a vertex of `n` faces `n − 3`. Which
@@ -49,54 +67,43 @@ impl Goal {
         topology: &Topology,
         points: &[Point<f64>],
     ) -> Vec<Box<dyn Conditions>> {
-        let mut kinds: Vec<Box<dyn Conditions>> = vec![Box::new(Everywhere {
-            name: "planar",
-            residual: Coplanar,
-            places: corners(topology),
-        })];
+        let mut kinds = vec![everywhere("planar", Coplanar, corners(topology))];
         match self {
             Goal::Planar => {}
-            Goal::ICircular => kinds.push(Box::new(Everywhere {
-                name: "concyclic",
-                residual: Concyclic,
-                places: corners(topology),
-            })),
+            Goal::ICircular => kinds.push(everywhere("concyclic", Concyclic, corners(topology))),
             Goal::IConical => {
-                let (balances, places) = stars(topology, points, true);
-                kinds.push(Box::new(Everywhere {
-                    name: "angle balance",
-                    residual: Balance,
-                    places: balances,
-                }));
-                kinds.push(Box::new(Everywhere {
-                    name: "concyclic gradients",
-                    residual: ConcyclicGradients,
-                    places,
-                }));
+                let (balances, planes) = stars(topology, points);
+                kinds.push(everywhere("angle balance", Balance, balances));
+                kinds.push(everywhere("concyclic gradients", ConcyclicGradients, planes));
             }
             Goal::Circular => {
                 for projection in
                     [ProjectedArea::TopView, ProjectedArea::AlongX, ProjectedArea::AlongY]
                 {
-                    let places = topology
-                        .faces()
-                        .filter(|&f| widest(topology, points, f) == axis(projection));
-                    kinds.push(Box::new(Everywhere {
-                        name: "circumcircle in space",
-                        residual: ConcyclicInSpace(projection),
-                        places: places.flat_map(|f| quadruples(topology.face(f))).collect(),
-                    }));
+                    let shown = |&f: &FaceId| widest(topology, points, f) == axis(projection);
+                    let faces = topology.faces().filter(shown);
+                    let places = faces.flat_map(|f| quadruples(topology.face(f))).collect();
+                    let residual = ConcyclicInSpace(projection);
+                    kinds.push(everywhere("circumcircle in space", residual, places));
                 }
             }
-            Goal::Conical => kinds.push(Box::new(Everywhere {
-                name: "cone of revolution",
-                residual: ConcyclicNormals,
-                places: stars(topology, points, false).1,
-            })),
+            Goal::Conical => {
+                let (angles, planes) = stars(topology, points);
+                kinds.push(everywhere("angles in space", AnglesInSpace, angles));
+                kinds.push(everywhere("cone of revolution", ConcyclicNormals, planes));
+            }
         }
         kinds.retain(|kind| !kind.is_empty());
         kinds
     }
+}
+
+fn everywhere<R: Differentiable<K> + 'static, const K: usize>(
+    name: &'static str,
+    residual: R,
+    places: Vec<[VertexId; K]>,
+) -> Box<dyn Conditions> {
+    Box::new(Everywhere { name, residual, places })
 }
 
 /// Three corners far apart with each other corner, for all faces.
@@ -115,21 +122,17 @@ fn spread(n: usize) -> [usize; 3] {
     if n == 4 { [0, 1, 2] } else { [0, n / 3, 2 * n / 3] }
 }
 
-/// The interior vertices of four faces with the ends of their edges, if `balance` asks for it; the others by
-/// triangles of four of their faces.
-fn stars(
-    topology: &Topology,
-    points: &[Point<f64>],
-    balance: bool,
-) -> (Vec<[VertexId; 5]>, Vec<[VertexId; 12]>) {
+/// The interior vertices of four faces with the ends of their edges; those of more by triangles of four of
+/// their faces.
+fn stars(topology: &Topology, points: &[Point<f64>]) -> (Vec<[VertexId; 5]>, Vec<[VertexId; 12]>) {
     let (mut balances, mut planes) = (Vec::new(), Vec::new());
     for v in topology.interior_vertices() {
         let star: Vec<_> = topology.star(v).collect();
         if star.len() < 4 {
             continue;
         }
-        if let ([a, b, c, d], true) = (star.as_slice(), balance) {
-            let [a, b, c, d] = [a, b, c, d].map(|&h| topology.target(h));
+        if let [a, b, c, d] = star.as_slice() {
+            let [a, b, c, d] = [a, b, c, d].map(|h| topology.target(*h));
             balances.push([v, a, b, c, d]);
             continue;
         }

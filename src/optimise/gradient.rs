@@ -7,13 +7,16 @@ use crate::net::euclidean::{ConcyclicInSpace, ConcyclicNormals};
 use crate::net::i_circular::Concyclic;
 use crate::net::i_conical::{Balance, ConcyclicGradients};
 use crate::net::planar::Coplanar;
-use crate::scalar::Dual;
+use crate::scalar::{Dual, Magnitude};
 use crate::space::{Point, Vector2, Vector3};
 
 /// A function of `K` points with its derivatives.
 pub trait Differentiable<const K: usize>: Copy + Send + Sync {
     /// The value.
     fn value(self, points: &[Point<f64>; K]) -> f64;
+
+    /// The sum of the sizes of the terms of the value.
+    fn scale(self, points: &[Point<f64>; K]) -> f64;
 
     /// The value, and the derivatives by the coordinates of each point.
     fn gradient(self, points: &[Point<f64>; K]) -> (f64, [Vector3<f64>; K]);
@@ -52,12 +55,24 @@ pub fn by_dual_numbers<const K: usize>(
     (value, slopes)
 }
 
+/// The sizes of coordinates seen from the first point: the residuals here stay under translations.
+fn sizes<const K: usize>(points: &[Point<f64>; K]) -> [Point<Magnitude<f64>>; K] {
+    points.each_ref().map(|p| {
+        let d = p - &points[0];
+        Point::new(d.x, d.y, d.z).map(Magnitude::of)
+    })
+}
+
 /// Residuals whose derivatives come from dual numbers.
 macro_rules! by_dual_numbers {
     ($($residual:ty, $k:literal;)*) => {$(
         impl Differentiable<$k> for $residual {
             fn value(self, points: &[Point<f64>; $k]) -> f64 {
                 self.eval(points, &1.0)
+            }
+
+            fn scale(self, points: &[Point<f64>; $k]) -> f64 {
+                self.eval(&sizes(points), &Magnitude(1.0)).0
             }
 
             fn gradient(self, points: &[Point<f64>; $k]) -> (f64, [Vector3<f64>; $k]) {
@@ -78,12 +93,16 @@ impl Differentiable<4> for Coplanar {
         self.eval(points, &1.0)
     }
 
+    fn scale(self, points: &[Point<f64>; 4]) -> f64 {
+        self.eval(&sizes(points), &Magnitude(1.0)).0
+    }
+
     /// The cofactors of the determinant: normals of the triangles of the other points.
     #[inline]
     fn gradient(self, [p, a, b, c]: &[Point<f64>; 4]) -> (f64, [Vector3<f64>; 4]) {
         let (a, b, c) = (a - p, b - p, c - p);
         let [u, v, w] = [b.cross(&c), c.cross(&a), a.cross(&b)];
-        let own = Vector3 { x: -u.x - v.x - w.x, y: -u.y - v.y - w.y, z: -u.z - v.z - w.z };
+        let own = (&(&u + &v) + &w).scaled(&-1.0);
         (a.dot(&u), [own, u, v, w])
     }
 }
@@ -92,6 +111,10 @@ impl Differentiable<4> for Concyclic {
     #[inline]
     fn value(self, points: &[Point<f64>; 4]) -> f64 {
         self.eval(points, &1.0)
+    }
+
+    fn scale(self, points: &[Point<f64>; 4]) -> f64 {
+        self.eval(&sizes(points), &Magnitude(1.0)).0
     }
 
     /// With `n = |x'|²` the determinant has the rows `(x, y, n)`: its cofactors and the chain rule.
@@ -118,6 +141,10 @@ impl Differentiable<5> for Balance {
     #[inline]
     fn value(self, points: &[Point<f64>; 5]) -> f64 {
         self.eval(points, &1.0)
+    }
+
+    fn scale(self, points: &[Point<f64>; 5]) -> f64 {
+        self.eval(&sizes(points), &Magnitude(1.0)).0
     }
 
     /// `Im(e₀ e₂ \overline{e₁ e₃})` is linear in each edge: the derivative by `e₀` is the imaginary part
@@ -153,6 +180,10 @@ impl Differentiable<12> for ConcyclicNormals {
         self.eval(points).iter().map(|(c, q)| c * q.sqrt()).sum()
     }
 
+    fn scale(self, points: &[Point<f64>; 12]) -> f64 {
+        self.eval(&sizes(points)).iter().map(|(c, q)| c.0 * q.0.sqrt()).sum()
+    }
+
     fn gradient(self, points: &[Point<f64>; 12]) -> (f64, [Vector3<f64>; 12]) {
         by_dual_numbers(points, |p| {
             let terms = self.eval(p).map(|(c, q): (Dual<f64, 3>, Dual<f64, 3>)| {
@@ -161,5 +192,52 @@ impl Differentiable<12> for ConcyclicNormals {
             });
             terms.into_iter().fold(Dual::constant(0.0), |sum, term| sum + term)
         })
+    }
+}
+
+/// `ω₁ − ω₂ + ω₃ − ω₄` with the angles in space between consecutive edges from the first point to the others:
+/// zero iff the four planes touch a cone of revolution, where they do not fold.
+///
+/// The Euclidean counterpart of (14) for doubles (Y. Liu et al., *Geometric modeling with conical meshes
+/// and developable surfaces*, 2006): in flat meshes it keeps digits that determinants of normals lose.
+#[derive(Clone, Copy, Debug)]
+pub struct AnglesInSpace;
+
+impl Differentiable<5> for AnglesInSpace {
+    fn value(self, points: &[Point<f64>; 5]) -> f64 {
+        self.gradient(points).0
+    }
+
+    fn scale(self, _: &[Point<f64>; 5]) -> f64 {
+        std::f64::consts::TAU
+    }
+
+    /// An angle grows by `−t / |e|` if its side e moves, with the unit vector t at a right angle to e
+    /// towards the other side.
+    fn gradient(self, [v, x @ ..]: &[Point<f64>; 5]) -> (f64, [Vector3<f64>; 5]) {
+        let e: [Vector3<f64>; 4] = from_fn(|i| &x[i] - v);
+        let mut slopes = [Vector3::new(0.0, 0.0, 0.0); 5];
+        let mut value = 0.0;
+        for i in 0..4 {
+            let (j, sign) = ((i + 1) % 4, if i % 2 == 0 { 1.0 } else { -1.0 });
+            let normal = e[i].cross(&e[j]);
+            let sine = normal.length2().sqrt();
+            value += sign * sine.atan2(e[i].dot(&e[j]));
+            // n × e points from e to the other side, if n is the normal of both.
+            let towards = |e: &Vector3<f64>, n: &Vector3<f64>, sign: f64| {
+                let scale = -sign / (sine * e.length2());
+                if scale.is_finite() {
+                    n.cross(e).scaled(&scale)
+                } else {
+                    Vector3::new(0.0, 0.0, 0.0)
+                }
+            };
+            let moved = [(i, towards(&e[i], &normal, sign)), (j, towards(&e[j], &normal, -sign))];
+            for (k, slope) in moved {
+                slopes[1 + k] = &slopes[1 + k] + &slope;
+                slopes[0] = &slopes[0] - &slope;
+            }
+        }
+        (value, slopes)
     }
 }

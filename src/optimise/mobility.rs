@@ -34,21 +34,40 @@ impl Mobility {
             Mobility::Fixed => Vector3::new(0.0, 0.0, 0.0),
             Mobility::Vertical => Vector3::new(0.0, 0.0, v.z),
             Mobility::Horizontal => Vector3::new(v.x, v.y, 0.0),
+            Mobility::Along(d) => d.scaled(&d.dot(v)),
+        }
+    }
+
+    /// What is left of it in the top view.
+    pub fn in_top_view(&self) -> Mobility {
+        match self {
+            Mobility::Free | Mobility::Horizontal => Mobility::Horizontal,
+            Mobility::Fixed | Mobility::Vertical => Mobility::Fixed,
             Mobility::Along(d) => {
-                let length = d.dot(v);
-                Vector3::new(d.x * length, d.y * length, d.z * length)
+                Mobility::along(&Point::new(0.0, 0.0, 0.0), &Point::new(d.x, d.y, 0.0))
             }
         }
+    }
+
+    /// What is left of it over a given top view.
+    pub fn in_height(&self) -> Mobility {
+        match self {
+            Mobility::Free | Mobility::Vertical => Mobility::Vertical,
+            Mobility::Fixed | Mobility::Horizontal | Mobility::Along(_) => Mobility::Fixed,
+        }
+    }
+
+    /// The part of the unit vector of an axis in the directions that are not allowed.
+    pub(super) fn kept(&self, axis: usize) -> Vector3<f64> {
+        let unit = |i| f64::from(u8::from(i == axis));
+        let unit = Vector3::new(unit(0), unit(1), unit(2));
+        &unit - &self.part(&unit)
     }
 
     /// Along the line from one point to another; fixed if they are the same.
     pub fn along(from: &Point<f64>, to: &Point<f64>) -> Mobility {
         let d = to - from;
         let length = d.length2().sqrt();
-        if length > 0.0 {
-            Mobility::Along(Vector3::new(d.x / length, d.y / length, d.z / length))
-        } else {
-            Mobility::Fixed
-        }
+        if length > 0.0 { Mobility::Along(d.scaled(&(1.0 / length))) } else { Mobility::Fixed }
     }
 }

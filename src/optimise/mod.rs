@@ -1,7 +1,11 @@
 //! Floor 7: optimisation in doubles, and the way back to exact meshes.
 
 mod cholesky;
+mod compromise;
 mod condition;
+mod design;
+mod energy;
+mod frame;
 mod goal;
 mod gradient;
 mod mobility;
@@ -9,12 +13,18 @@ mod normal;
 mod projection;
 mod report;
 mod system;
+mod target;
 
 pub use cholesky::NoFactor;
+pub use compromise::Compromise;
 pub use condition::{Conditions, Everywhere, MOST_POINTS};
+pub use design::{Design, Designed, Method, Movement};
+pub use energy::{Closeness, fairness};
+pub use frame::Frame;
 pub use goal::Goal;
-pub use gradient::{Differentiable, by_dual_numbers};
+pub use gradient::{AnglesInSpace, Differentiable, by_dual_numbers};
 pub use mobility::Mobility;
 pub use projection::Projection;
-pub use report::{Ending, Step, Worst};
+pub use report::{Ending, Stage, Step, Worst};
 pub use system::{Linearisation, System};
+pub use target::{Target, VerticalDistance};

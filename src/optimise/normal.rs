@@ -89,7 +89,7 @@ impl NormalMatrix {
                     column[slot] += own.dot(&at.gradients[other as usize]);
                 }
             }
-            column[0] += if at.lengths[i] > 0.0 { damping } else { 1.0 };
+            column[0] += if at.free[i] { damping } else { 1.0 };
         });
     }
 }

@@ -3,7 +3,7 @@
 use super::Mobility;
 use super::cholesky::{Cholesky, NoFactor};
 use super::normal::NormalMatrix;
-use super::report::{Ending, Step, Worst};
+use super::report::{Ending, Stage, Step};
 use super::system::{Linearisation, System};
 use crate::space::{Point, Vector3};
 
@@ -19,6 +19,8 @@ pub struct Projection<'a> {
     matrix: NormalMatrix,
     factor: Cholesky,
     damping: f64,
+    /// Whether `factor` is that of some earlier matrix.
+    is_factorised: bool,
 }
 
 impl<'a> Projection<'a> {
@@ -29,7 +31,14 @@ impl<'a> Projection<'a> {
     pub fn new(system: &'a System, mobility: &'a [Mobility]) -> Result<Self, NoFactor> {
         let matrix = NormalMatrix::new(system, mobility.len());
         let factor = Cholesky::analyse(&matrix.starts, &matrix.rows)?;
-        Ok(Projection { system, mobility, matrix, factor, damping: f64::EPSILON })
+        Ok(Projection {
+            system,
+            mobility,
+            matrix,
+            factor,
+            damping: f64::EPSILON,
+            is_factorised: false,
+        })
     }
 
     /// Runs until the distances are those of rounding, or nothing gets better, or `go_on` says no.
@@ -37,28 +46,35 @@ impl<'a> Projection<'a> {
         &mut self,
         points: &mut Vec<Point<f64>>,
         most_steps: usize,
+        stage: Stage,
         mut go_on: impl FnMut(&Step) -> bool,
     ) -> Ending {
         let floor = rounding(points);
         let mut at = self.system.linearise(points, self.mobility);
+        let mut last = f64::INFINITY;
         for number in 0.. {
-            let worst = self.worst(&at.residuals);
-            let distance = worst.iter().map(|w| w.distance).fold(0.0, f64::max);
-            let step = Step { number, worst, damping: self.damping };
+            let worst = self.system.worst(&at.residuals);
+            let step = Step { stage, number, energy: None, worst, damping: self.damping };
             if !go_on(&step) {
                 return Ending::Stopped;
             }
-            if distance <= floor {
+            if step.distance() <= floor {
                 return Ending::Converged;
             }
             if number == most_steps {
                 return Ending::TooManySteps;
             }
-            match self.step(points, &at) {
-                Ok(Some((moved, next))) => (*points, at) = (moved, next),
-                Ok(None) => return Ending::Stuck,
-                Err(_) => return Ending::Stuck,
+            let size = norm2(&at.residuals).sqrt();
+            let gain = size / last;
+            if gain > 0.5 && self.system.is_rounding(points, &at, floor) {
+                return Ending::Converged;
             }
+            last = size;
+            let Some((moved, next)) = self.step(points, &at, gain) else {
+                let is_rounding = self.system.is_rounding(points, &at, floor);
+                return if is_rounding { Ending::Converged } else { Ending::Stuck };
+            };
+            (*points, at) = (moved, next);
         }
         Ending::TooManySteps
     }
@@ -68,46 +84,103 @@ impl<'a> Projection<'a> {
         &mut self,
         points: &[Point<f64>],
         at: &Linearisation,
-    ) -> Result<Option<(Vec<Point<f64>>, Linearisation)>, NoFactor> {
+        gain: f64,
+    ) -> Option<(Vec<Point<f64>>, Linearisation)> {
         let before = norm2(&at.residuals);
+        // After a step that gained much the matrix has changed little, and the last factor will do. Each
+        // step squares the distance: digits that would not be seen are not computed.
+        if gain < LITTLE_CHANGE
+            && let Some(y) = self.solve_by_iteration(at, gain.powi(2).max(f64::EPSILON.sqrt()))
+            && let Some(next) = self.shift(points, at, &y, before)
+        {
+            return Some(next);
+        }
         loop {
             self.matrix.fill(self.system, at, self.damping);
             let NormalMatrix { starts, rows, values, .. } = &self.matrix;
-            let factorised = self.factor.factorise(starts, rows, values);
-            if factorised.is_ok() {
+            self.is_factorised = self.factor.factorise(starts, rows, values).is_ok();
+            if self.is_factorised {
                 let mut y = at.residuals.clone();
                 self.factor.solve(&mut y);
-                let shift = self.system.transposed(at, &y, points.len());
-                // A shorter step where the whole one is too long for the linearisation.
-                for part in [1.0, 0.5, 0.25, 0.125] {
-                    let moved = moved(points, &shift, -part);
-                    let after = norm2(&self.system.residuals(&moved, &at.lengths));
-                    if after < before {
-                        if part == 1.0 {
-                            self.damping = (self.damping / 16.0).max(f64::EPSILON);
-                        }
-                        let next = self.system.linearise(&moved, self.mobility);
-                        return Ok(Some((moved, next)));
-                    }
+                if let Some(next) = self.shift(points, at, &y, before) {
+                    return Some(next);
                 }
             }
             if self.damping >= 1.0 {
-                return Ok(None);
+                return None;
             }
             self.damping *= 256.0;
         }
     }
 
-    /// The worst condition of each kind.
-    fn worst(&self, residuals: &[f64]) -> Vec<Worst> {
-        let worst = |(kind, rows): (&dyn super::condition::Conditions, std::ops::Range<usize>)| {
-            let sizes = residuals[rows].iter().map(|r| r.abs()).enumerate();
-            let (condition, distance) =
-                sizes.fold((0, 0.0), |worst, next| if next.1 > worst.1 { next } else { worst });
-            Worst { name: kind.name(), at: kind.points(condition).to_vec(), distance }
-        };
-        self.system.kinds().map(worst).collect()
+    /// Moves along `−Jᵀ y`, as far as it makes the conditions better.
+    fn shift(
+        &mut self,
+        points: &[Point<f64>],
+        at: &Linearisation,
+        y: &[f64],
+        before: f64,
+    ) -> Option<(Vec<Point<f64>>, Linearisation)> {
+        let shift = self.system.transposed(at, y, points.len());
+        // A shorter step where the whole one is too long for the linearisation.
+        for part in [1.0, 0.5, 0.25, 0.125] {
+            let moved = moved(points, &shift, -part);
+            let after = norm2(&self.system.residuals(&moved, &at.lengths));
+            if after < before {
+                if part == 1.0 {
+                    self.damping = (self.damping / 16.0).max(f64::EPSILON);
+                }
+                let next = self.system.linearise(&moved, self.mobility);
+                return Some((moved, next));
+            }
+        }
+        None
     }
+
+    /// Solves `(J Jᵀ + δ) y = r` by conjugate gradients, preconditioned by the last factor, to a part of
+    /// `|r|`. `None` without a factor, or if it is no longer close enough.
+    fn solve_by_iteration(&mut self, at: &Linearisation, accuracy: f64) -> Option<Vec<f64>> {
+        if !self.is_factorised {
+            return None;
+        }
+        let goal = accuracy * accuracy * norm2(&at.residuals);
+        let (mut y, mut rest) = (vec![0.0; at.residuals.len()], at.residuals.clone());
+        let mut direction: Vec<f64> = Vec::new();
+        let mut last = 1.0;
+        for _ in 0..MOST_ITERATIONS {
+            let mut better = rest.clone();
+            self.factor.solve(&mut better);
+            let weight = dot(&rest, &better);
+            if direction.is_empty() {
+                direction = better;
+            } else {
+                let part = weight / last;
+                direction.iter_mut().zip(better).for_each(|(d, b)| *d = b + part * *d);
+            }
+            last = weight;
+            let shift = self.system.transposed(at, &direction, self.mobility.len());
+            let mut image = self.system.times(at, &shift);
+            for ((image, d), free) in image.iter_mut().zip(&direction).zip(&at.free) {
+                *image += if *free { self.damping * d } else { *d };
+            }
+            let step = weight / dot(&direction, &image);
+            y.iter_mut().zip(&direction).for_each(|(y, d)| *y += step * d);
+            rest.iter_mut().zip(&image).for_each(|(r, i)| *r -= step * i);
+            if norm2(&rest) <= goal {
+                return Some(y);
+            }
+        }
+        None
+    }
+}
+
+/// What a step has to leave of the distance for the last factor to be used again.
+const LITTLE_CHANGE: f64 = 1.0 / 256.0;
+/// How many conjugate gradients are still cheaper than a factor.
+const MOST_ITERATIONS: usize = 8;
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// What is left of a distance when coordinates are rounded.
@@ -116,13 +189,10 @@ fn rounding(points: &[Point<f64>]) -> f64 {
     4.0 * f64::EPSILON * sizes.fold(0.0, f64::max)
 }
 
-fn norm2(values: &[f64]) -> f64 {
+pub(super) fn norm2(values: &[f64]) -> f64 {
     values.iter().map(|v| v * v).sum()
 }
 
-fn moved(points: &[Point<f64>], shift: &[Vector3<f64>], factor: f64) -> Vec<Point<f64>> {
-    let one = |(p, s): (&Point<f64>, &Vector3<f64>)| {
-        Point::new(p.x + factor * s.x, p.y + factor * s.y, p.z + factor * s.z)
-    };
-    points.iter().zip(shift).map(one).collect()
+pub(super) fn moved(points: &[Point<f64>], shift: &[Vector3<f64>], factor: f64) -> Vec<Point<f64>> {
+    points.iter().zip(shift).map(|(p, s)| p + &s.scaled(&factor)).collect()
 }

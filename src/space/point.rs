@@ -163,6 +163,11 @@ impl<T: Ring> Vector2<T> {
 }
 
 impl<T: Ring> Vector3<T> {
+    /// The multiple `factor · v`.
+    pub fn scaled(&self, factor: &T) -> Self {
+        Vector3 { x: &self.x * factor, y: &self.y * factor, z: &self.z * factor }
+    }
+
     /// The top view of the vector.
     pub fn top_view(&self) -> Vector2<T> {
         Vector2 { x: self.x.clone(), y: self.y.clone() }
@@ -225,6 +230,20 @@ impl<T: Ring> Sub for &Point<T> {
     type Output = Vector3<T>;
     fn sub(self, other: Self) -> Vector3<T> {
         Vector3 { x: &self.x - &other.x, y: &self.y - &other.y, z: &self.z - &other.z }
+    }
+}
+
+impl<T: Ring> Add for &Vector3<T> {
+    type Output = Vector3<T>;
+    fn add(self, v: &Vector3<T>) -> Vector3<T> {
+        Vector3 { x: &self.x + &v.x, y: &self.y + &v.y, z: &self.z + &v.z }
+    }
+}
+
+impl<T: Ring> Sub for &Vector3<T> {
+    type Output = Vector3<T>;
+    fn sub(self, v: &Vector3<T>) -> Vector3<T> {
+        Vector3 { x: &self.x - &v.x, y: &self.y - &v.y, z: &self.z - &v.z }
     }
 }
 

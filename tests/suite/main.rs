@@ -14,6 +14,8 @@ mod incircles;
 mod linear_space;
 mod meshes;
 mod nets;
+#[cfg(feature = "optimise")]
+mod optimise;
 mod pages;
 mod pairs;
 mod scalars;

@@ -1,0 +1,97 @@
+//! Options of the design of meshes.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use super::{InputOptions, OutputOptions};
+
+/// Move the vertices of a mesh until it is planar, i-circular or i-conical
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The vertices move as little as the conditions ask for, from where they are, or from a compromise with
+fairness (second differences along the polylines of the mesh) and with the vertical distance to a
+target. Nothing depends on the unit or the position of the mesh. What comes out is a mesh of doubles in
+which the property is observed; --rationalize makes an exact mesh near it, in which it is proved, and
+--certify proves that an exact mesh with the property lies within a printed distance.
+--fix keeps vertices where they are: boundary, corners (boundary vertices in one face), or vertices by
+their numbers from 0. --slide lets boundary vertices move along the tangents of the boundary.
+--subdivide K: K times the mesh is refined by the rules of Catmull and Clark and optimised again.
+Ctrl-C ends the work and keeps the best mesh so far (exit code 130).
+Exit code: 0 the property is proved; 3 it is observed, or known to exist, or was not reached.
+Examples:
+  isogeo optimize roof.obj --to planar --fix boundary -o planar.obj
+  isogeo optimize roof.obj --to i-conical --fairness 0.1 --rationalize -o exact.iso.json
+  isogeo optimize coarse.obj --to i-circular --subdivide 3 --near shape.obj -o fine.obj --picture fine.svg")]
+pub struct OptimizeOptions {
+    #[command(flatten)]
+    pub input: InputOptions,
+    /// What the mesh shall become
+    #[arg(long, value_enum)]
+    pub to: Wish,
+    /// What stays where it is: boundary, corners, or vertices by number, separated by commas
+    #[arg(long, value_name = "WHAT")]
+    pub fix: Option<String>,
+    /// What moves along the tangents of the boundary
+    #[arg(long, value_enum)]
+    pub slide: Option<Slide>,
+    /// A mesh to be near to, by vertical distance
+    #[arg(long, value_name = "MESH2")]
+    pub near: Option<PathBuf>,
+    /// The weight of fairness; closeness has 1 [default: 0; 0.1 with --subdivide]
+    #[arg(long, value_name = "W", value_parser = weight)]
+    pub fairness: Option<f64>,
+    /// Refine so many times, and optimise each time
+    #[arg(long, value_name = "K", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=8))]
+    pub subdivide: u8,
+    /// All coordinates at once, or the top view first and then the heights
+    #[arg(long, value_enum, default_value_t = Approach::Joint)]
+    pub method: Approach,
+    /// The most steps of each stage
+    #[arg(long, value_name = "N", default_value_t = 50)]
+    pub steps: usize,
+    /// A picture of the mesh before and after (SVG)
+    #[arg(long, value_name = "SVG")]
+    pub picture: Option<PathBuf>,
+    #[command(flatten)]
+    pub output: OutputOptions,
+}
+
+/// What a mesh shall become
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Wish {
+    /// Faces lie in planes
+    Planar,
+    /// Planar, with concyclic top views of faces
+    ICircular,
+    /// Planar, with concyclic gradients around interior vertices
+    IConical,
+    /// Planar, with circumcircles in Euclidean space
+    Circular,
+    /// Planar, with Euclidean cones of revolution around interior vertices
+    Conical,
+}
+
+/// What moves along a curve
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Slide {
+    /// The vertices of the boundary; corners stay
+    Boundary,
+}
+
+/// How the conditions are approached
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Approach {
+    /// All coordinates at once
+    Joint,
+    /// First the top view, then the heights, for which planarity is linear
+    TwoStage,
+}
+
+fn weight(text: &str) -> Result<f64, &'static str> {
+    let weight: Result<f64, _> = text.parse();
+    weight
+        .ok()
+        .filter(|w| w.is_finite() && *w >= 0.0)
+        .ok_or("expected a number that is not negative")
+}

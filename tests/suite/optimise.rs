@@ -1,0 +1,4 @@
+//! Optimisation: derivatives, steps, goals.
+
+mod derivatives;
+mod goals;
