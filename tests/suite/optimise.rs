@@ -1,4 +1,5 @@
 //! Optimisation: derivatives, steps, goals.
 
 mod derivatives;
+mod existence;
 mod goals;
