@@ -22,7 +22,7 @@
 //! | [`check`] | from residuals to verdicts |
 //! | [`net`] | classes of mesh: planar, i-circular, i-conical, ... |
 //! | [`pair`] | pairs of meshes: parallel, f-parallel, v-parallel; curvatures, linear spaces |
-//! | [`construct`] | exact families, circle patterns, metric and Christoffel duals, Gauss images, images in Euclidean space, Delaunay meshes of samples |
+//! | [`construct`] | exact families, circle patterns, metric and Christoffel duals, Gauss images, images in Euclidean space, subdivision, Delaunay meshes of samples |
 //! | [`claim`] | the ledger: what the paper claims, decided for all inputs |
 //!
 //! # Example

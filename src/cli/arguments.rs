@@ -6,6 +6,7 @@ mod design;
 mod figures;
 mod pairs;
 mod spheres;
+mod subdivide;
 
 use std::num::NonZeroU16;
 use std::path::PathBuf;
@@ -22,6 +23,7 @@ pub use pairs::{
     At, ChristoffelOptions, CurvatureOptions, GaussKind, GaussOptions, MakeOptions, OffsetOptions,
 };
 pub use spheres::{Circles, InvertOptions, Inverted, Space, TransferOptions};
+pub use subdivide::{Scheme, SubdivideOptions};
 
 /// Discrete surfaces in isotropic geometry, checked exactly.
 #[derive(Debug, Parser)]
@@ -68,6 +70,7 @@ pub enum Command {
     Move(MoveOptions),
     Invert(InvertOptions),
     Transfer(TransferOptions),
+    Subdivide(SubdivideOptions),
     Triangulate(TriangulateOptions),
     Accuracy(AccuracyOptions),
     Claims(ClaimsOptions),

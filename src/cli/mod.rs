@@ -22,6 +22,7 @@ mod offset;
 #[cfg(feature = "optimise")]
 mod optimize;
 mod output;
+mod subdivide;
 mod transfer;
 mod triangulate;
 mod usage;
@@ -106,6 +107,7 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Move(options) => motion::run(&options, layout),
         Command::Invert(options) => inversion::run(&options, layout),
         Command::Transfer(options) => transfer::run(&options, layout),
+        Command::Subdivide(options) => subdivide::run(&options, layout),
         Command::Triangulate(options) => triangulate::run(&options, layout),
         Command::Accuracy(options) => accuracy::run(&options, layout),
         Command::Claims(options) => claims::run(&options, layout),

@@ -11,11 +11,13 @@ use super::arguments::{Approach, Layout, OptimizeOptions, Slide, Wish};
 use super::failure::Failure;
 use super::{Status, input, output, words};
 use crate::check::Observed;
+use crate::construct::subdivision::{Sharp, catmull_clark};
 use crate::figure::comparison;
 use crate::mesh::file::{Options, write_whole};
-use crate::mesh::{Mesh, Topology, VertexId, VertexKind};
+use crate::mesh::{FaceId, Mesh, Topology, VertexId, VertexKind};
 use crate::net::Net;
-use crate::optimise::{Design, Ending, Goal, Method, Mobility, Movement, Step, Target};
+use crate::optimise::{Design, Ending, Goal, Method, Mobility, Movement, Step, Target, mean_edge};
+use crate::pair::twice_area;
 use crate::scalar::{Approx, Numeral, Rational};
 use crate::space::Point;
 
@@ -26,31 +28,100 @@ pub fn run(options: &OptimizeOptions, layout: Layout) -> Result<Status, Failure>
     let goal = Goal::from(options.to);
     let interrupted = interruption();
     let start = Instant::now();
-    let round = Round::run(options, &mesh, target, &interrupted)?;
+    let (mut sharp, mut start_of_last) = (Sharp { keep_corners: true, ..Sharp::default() }, mesh);
+    let mut rounds = Vec::new();
+    let found = loop {
+        let round = Round::run(options, &start_of_last, target.clone(), &interrupted)?;
+        let found = Mesh { points: round.points.clone(), ..start_of_last.clone() };
+        let is_last = rounds.len() == usize::from(options.subdivide);
+        let stopped = round.ending == Ending::Stopped;
+        rounds.push(round);
+        if is_last || stopped {
+            break found;
+        }
+        let refined = catmull_clark(&found, &sharp);
+        (start_of_last, sharp) = refined.map_err(|e| Failure::usage(e.to_string()))?;
+        // Old vertices keep their numbers; those that were named stay where they are.
+        for v in options
+            .fix
+            .iter()
+            .flat_map(|list| list.split(','))
+            .filter_map(|v| v.trim().parse().ok())
+        {
+            let v: usize = v;
+            start_of_last.points[v] = found.points[v];
+        }
+    };
     let seconds = start.elapsed().as_secs_f64();
-    let found = Mesh { points: round.points.clone(), ..mesh.clone() };
     let defect = defect(goal, &found);
     if let Some(path) = &options.picture {
-        write_whole(path, comparison(&mesh, &found).as_bytes())?;
+        write_whole(path, comparison(&start_of_last, &found).as_bytes())?;
     }
+    let quality = Quality::between(&start_of_last, &found);
+    let Some(last) = rounds.last() else { return Ok(Status::Open) };
     let report = json!({
         "file": options.input.mesh.display().to_string(),
         "to": goal.property().name(),
-        "ending": round.ending.name(),
+        "ending": last.ending.name(),
         "seconds": seconds,
-        "edge": round.edge,
+        "steps": last.steps.len().saturating_sub(1),
+        "edge": last.edge,
         "defect": defect,
-        "distance": round.last().map(Step::distance),
-        "movement_rms": round.movement.rms,
-        "movement_largest": round.movement.largest,
-        "movement_at": round.movement.at.0,
-        "steps": round.steps.iter().map(step).collect::<Vec<_>>(),
+        "distance": last.last().map(Step::distance),
+        "movement_rms": last.movement.rms,
+        "movement_largest": last.movement.largest,
+        "movement_at": last.movement.at.0,
+        "turned_faces": quality.turned.iter().map(|f| f.0).collect::<Vec<_>>(),
+        "shortest_edge": quality.shortest_edge,
+        "rounds": rounds.iter().map(Round::json).collect::<Vec<_>>(),
     });
     if !layout.is_json() {
-        output::print(&round.text(options, seconds, defect))?;
+        let lines: String = rounds.iter().map(|round| round.text(options)).collect();
+        output::print(&format!("{lines}{}", quality.text(defect, last.edge, seconds)))?;
     }
+    let stopped = last.ending == Ending::Stopped;
     write(&options.output.output, &found, report, layout)?;
-    Ok(if round.ending == Ending::Stopped { Status::Interrupted } else { Status::Open })
+    Ok(if stopped { Status::Interrupted } else { Status::Open })
+}
+
+/// What became of the faces and edges of a mesh.
+struct Quality {
+    /// The faces whose top view runs the other way round.
+    turned: Vec<FaceId>,
+    /// The length of the shortest edge.
+    shortest_edge: f64,
+}
+
+impl Quality {
+    fn between(before: &Mesh<f64>, after: &Mesh<f64>) -> Quality {
+        let topology = &after.topology;
+        let area = |mesh: &Mesh<f64>, f: FaceId| {
+            let corners = topology.face(f).iter().map(|v| mesh.points[v.index()].top_view());
+            twice_area(&corners.collect::<Vec<_>>())
+        };
+        let turned =
+            topology.faces().filter(|&f| area(before, f) * area(after, f) <= 0.0).collect();
+        let ends = |h| [topology.origin(h), topology.target(h)].map(|v| &after.points[v.index()]);
+        let lengths = topology.edges().map(ends).map(|[p, q]| (p - q).length2().sqrt());
+        Quality { turned, shortest_edge: lengths.fold(f64::INFINITY, f64::min) }
+    }
+
+    fn text(&self, defect: f64, edge: f64, seconds: f64) -> String {
+        let mut text = String::new();
+        if let Some(first) = self.turned.first() {
+            let faces = words::count(self.turned.len(), "face");
+            text += &format!(
+                "  {faces} turned over or lost its area in the top view, first {}\n",
+                first.0
+            );
+        }
+        text += &format!(
+            "  shortest edge {} of the mean before\n",
+            words::defect(self.shortest_edge / edge)
+        );
+        let defect = words::defect(defect);
+        text + &format!("  observed in doubles: largest defect {defect}; {seconds:.3} s\n")
+    }
 }
 
 /// What was done to a mesh.
@@ -61,6 +132,7 @@ struct Round {
     movement: Movement,
     /// The mean length of an edge before.
     edge: f64,
+    faces: usize,
 }
 
 impl Round {
@@ -71,7 +143,8 @@ impl Round {
         interrupted: &AtomicBool,
     ) -> Result<Round, Failure> {
         let design = Design {
-            fairness: options.fairness.unwrap_or(0.0),
+            fairness: options.fairness,
+            shape: options.shape,
             target,
             mobility: mobility(options, mesh)?,
             method: match options.method {
@@ -94,21 +167,35 @@ impl Round {
         bar.finish_and_clear();
         let found = found.map_err(|_| Failure::io("there is not enough memory for this mesh"))?;
         let movement = Movement::between(&mesh.points, &found.points);
-        let edge = mean_edge(mesh);
-        Ok(Round { points: found.points, steps: found.steps, ending: found.ending, movement, edge })
+        let edge = mean_edge(&mesh.topology, &mesh.points);
+        let faces = mesh.topology.face_count();
+        let (steps, ending) = (found.steps, found.ending);
+        Ok(Round { points: found.points, steps, ending, movement, edge, faces })
     }
 
     fn last(&self) -> Option<&Step> {
         self.steps.last()
     }
 
-    fn text(&self, options: &OptimizeOptions, seconds: f64, defect: f64) -> String {
+    fn json(&self) -> Value {
+        json!({
+            "faces": self.faces,
+            "ending": self.ending.name(),
+            "movement_rms": self.movement.rms,
+            "movement_largest": self.movement.largest,
+            "movement_at": self.movement.at.0,
+            "steps": self.steps.iter().map(step).collect::<Vec<_>>(),
+        })
+    }
+
+    fn text(&self, options: &OptimizeOptions) -> String {
         let steps = words::count(self.steps.len().saturating_sub(1), "step");
         let edges =
             |length: f64| words::defect(if self.edge > 0.0 { length / self.edge } else { 0.0 });
         let mut text = format!(
-            "{}: {} after {steps}, {seconds:.3} s\n",
+            "{}, {}: {} after {steps}\n",
             options.input.mesh.display(),
+            words::count(self.faces, "face"),
             self.ending.name(),
         );
         for worst in self.last().iter().flat_map(|step| &step.worst) {
@@ -126,7 +213,6 @@ impl Round {
             edges(self.movement.largest),
             self.movement.at.0
         );
-        text += &format!("  observed in doubles: largest defect {}\n", words::defect(defect));
         text
     }
 }
@@ -232,13 +318,6 @@ fn mobility(options: &OptimizeOptions, mesh: &Mesh<f64>) -> Result<Vec<Mobility>
 /// A boundary vertex in one face.
 fn is_corner(topology: &Topology, v: VertexId) -> bool {
     topology.kind(v) == VertexKind::Boundary && topology.star(v).count() == 1
-}
-
-fn mean_edge(mesh: &Mesh<f64>) -> f64 {
-    let topology = &mesh.topology;
-    let ends = |h| [topology.origin(h), topology.target(h)].map(|v| &mesh.points[v.index()]);
-    let lengths = topology.edges().map(ends).map(|[p, q]| (p - q).length2().sqrt());
-    lengths.sum::<f64>() / topology.edge_count().max(1) as f64
 }
 
 /// Whether Ctrl-C was pressed; a second time ends the program.

@@ -22,6 +22,7 @@ mod packing;
 pub mod rotational;
 mod spread;
 mod star;
+pub mod subdivision;
 pub mod transfer;
 mod translational_net;
 mod voronoi;

@@ -61,7 +61,7 @@ fn make() -> Result<Plate, NoFigure> {
     let exhibits = vec![
         Exhibit::new("roof", roof)
             .is(&[Property::Planar, Property::IIsothermic, Property::IMinimal])
-            .with("gauss", &[PairProperty::FParallel, PairProperty::IMinimal])
+            .gauss("gauss", &[PairProperty::FParallel, PairProperty::IMinimal])
             .with("lower", &[PairProperty::Parallel, PairProperty::FParallel]),
         Exhibit::new("lower", lower).is(&[Property::Planar]),
         Exhibit::new("gauss", gauss).is(&[Property::Planar, Property::Midscribed]),

@@ -1,5 +1,6 @@
 //! Floor 7: optimisation in doubles, and the way back to exact meshes.
 
+mod angle;
 mod cholesky;
 mod compromise;
 mod condition;
@@ -17,14 +18,15 @@ mod report;
 mod system;
 mod target;
 
+pub use angle::{AnglesAround, AnglesInSpace, OppositeAngles};
 pub use cholesky::NoFactor;
 pub use compromise::Compromise;
 pub use condition::{Conditions, Everywhere, MOST_POINTS};
-pub use design::{Design, Designed, Method, Movement};
-pub use energy::{Closeness, fairness};
+pub use design::{Design, Designed, Method, Movement, mean_edge};
+pub use energy::{Closeness, Shape, fairness};
 pub use frame::Frame;
 pub use goal::Goal;
-pub use gradient::{AnglesInSpace, Differentiable, by_dual_numbers};
+pub use gradient::{Differentiable, by_dual_numbers};
 pub use mobility::Mobility;
 pub use polynomial::Polynomial;
 pub use projection::Projection;

@@ -87,6 +87,45 @@ impl<T: Field> Plane<T> {
         };
         Ok(Plane::through_point(a, gradient))
     }
+
+    /// The plane with the least sum of squared vertical distances from some points: the one that they
+    /// lie in, if they do. An affine map that keeps the z-direction maps it to that of the images.
+    ///
+    /// ```
+    /// use isogeo::space::{Gradient, Plane, Point};
+    /// let square = [(0.0, 0.0, 1.0), (2.0, 0.0, -1.0), (2.0, 2.0, 1.0), (0.0, 2.0, -1.0)];
+    /// let square = square.map(|(x, y, z)| Point::new(x, y, z));
+    /// let plane = Plane::nearest(&square.each_ref());
+    /// assert_eq!(plane, Some(Plane::new(Gradient::new(0.0, 0.0), 0.0)));
+    /// ```
+    ///
+    /// `None` if the top views are collinear; in a field without order, where there is no least sum,
+    /// also if they are isotropic in some direction.
+    pub fn nearest(points: &[&Point<T>]) -> Option<Self> {
+        let [mut x, mut y, mut z] = std::array::from_fn(|_| T::zero());
+        for p in points {
+            x += &p.x;
+            y += &p.y;
+            z += &p.z;
+        }
+        let part = T::from_i64(points.len() as i64).try_inv()?;
+        let mean = Point { x: x * &part, y: y * &part, z: z * &part };
+        let [mut xx, mut xy, mut yy, mut xz, mut yz] = std::array::from_fn(|_| T::zero());
+        for &p in points {
+            let d = p - &mean;
+            xx += &d.x.square();
+            xy += &(&d.x * &d.y);
+            yy += &d.y.square();
+            xz += &(&d.x * &d.z);
+            yz += &(&d.y * &d.z);
+        }
+        let scale = T::det2(&xx, &xy, &xy, &yy).try_inv()?;
+        let gradient = Gradient {
+            x: T::det2(&xz, &xy, &yz, &yy) * &scale,
+            y: T::det2(&xx, &xz, &xy, &yz) * &scale,
+        };
+        Some(Plane::through_point(&mean, gradient))
+    }
 }
 
 /// An isotropic plane: parallel to the z-direction, all points over a line of the top view.

@@ -8,9 +8,11 @@ mod invariance;
 mod koebe;
 mod make;
 mod pairs;
+mod png;
 mod samples;
 mod shell;
 mod spheres;
+mod subdivide;
 
 use insta::assert_snapshot;
 
@@ -37,6 +39,7 @@ fn help_has_an_example() {
         "move",
         "invert",
         "transfer",
+        "subdivide",
         "completions",
         "man",
     ];

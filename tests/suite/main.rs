@@ -18,8 +18,12 @@ mod nets;
 mod optimise;
 mod pages;
 mod pairs;
+#[cfg(feature = "png")]
+mod png;
 mod scalars;
 mod space;
+mod subdivision;
 mod topology;
 mod transfer;
 mod triangulate;
+mod vtu;

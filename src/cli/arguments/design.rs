@@ -9,9 +9,10 @@ use super::{InputOptions, OutputOptions};
 /// Move the vertices of a mesh until it is planar, i-circular or i-conical
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The vertices move as little as the conditions ask for, from where they are, or from a compromise with
-fairness (second differences along the polylines of the mesh) and with the vertical distance to a
-target. Nothing depends on the unit or the position of the mesh. What comes out is a mesh of doubles in
+A mesh near its goal moves as little as the conditions ask for. One that is far from it, or with other
+wishes, first takes a compromise in which the conditions count more and more: with closeness to where
+it was or to a target (by vertical distance), with the shape (the change of edges), with fairness
+(second differences along the polylines of the mesh). Nothing depends on the unit or the position of the mesh. What comes out is a mesh of doubles in
 which the property is observed; --rationalize makes an exact mesh near it, in which it is proved, and
 --certify proves that an exact mesh with the property lies within a printed distance.
 --fix keeps vertices where they are: boundary, corners (boundary vertices in one face), or vertices by
@@ -38,9 +39,12 @@ pub struct OptimizeOptions {
     /// A mesh to be near to, by vertical distance
     #[arg(long, value_name = "MESH2")]
     pub near: Option<PathBuf>,
-    /// The weight of fairness; closeness has 1 [default: 0; 0.1 with --subdivide]
-    #[arg(long, value_name = "W", value_parser = weight)]
-    pub fairness: Option<f64>,
+    /// The weight of fairness; closeness has 1
+    #[arg(long, value_name = "W", default_value_t = 0.0, value_parser = weight)]
+    pub fairness: f64,
+    /// The weight of the shape: edges change as little as they may; closeness has 1
+    #[arg(long, value_name = "W", default_value_t = 10.0, value_parser = weight)]
+    pub shape: f64,
     /// Refine so many times, and optimise each time
     #[arg(long, value_name = "K", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=8))]
     pub subdivide: u8,
