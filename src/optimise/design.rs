@@ -148,12 +148,14 @@ impl Design {
         frame: &Frame,
         log: &mut impl FnMut(&Step) -> bool,
     ) -> Result<Ending, NoFactor> {
+        let mut system = System::new(self.goal.conditions(topology, points));
         let wishes = self.fairness > 0.0 || self.target.is_some();
-        if wishes || self.shape > 0.0 && self.is_far(topology, points) {
+        if wishes || self.shape > 0.0 && self.is_far(&system, topology, points) {
             let stopped = self.compromise(topology, points, frame, log)?;
             if stopped {
                 return Ok(Ending::Stopped);
             }
+            system = System::new(self.goal.conditions(topology, points));
         }
         if let (Method::TwoStage, Some(conditions)) =
             (self.method, self.goal.top_view_conditions(topology))
@@ -175,16 +177,14 @@ impl Design {
                 }
             }
         }
-        let system = System::new(self.goal.conditions(topology, points));
         let mut projection = Projection::new(&system, &self.mobility)?;
         Ok(projection.run(points, self.steps, Stage::Projection, log))
     }
 
     /// Whether some condition is farther from holding than a part of an edge: then the shortest way to it may
     /// lead through edges that vanish and faces that turn over.
-    fn is_far(&self, topology: &Topology, points: &[Point<f64>]) -> bool {
+    fn is_far(&self, system: &System, topology: &Topology, points: &[Point<f64>]) -> bool {
         const PART: f64 = 1.0 / 8.0;
-        let system = System::new(self.goal.conditions(topology, points));
         let at = system.linearise(points, &self.mobility);
         let worst = system.worst(&at.residuals);
         worst.iter().any(|w| w.distance > PART * mean_edge(topology, points))

@@ -1,5 +1,6 @@
 //! Optimisation: derivatives, steps, goals.
 
+mod curvatures;
 mod derivatives;
 mod existence;
 mod goals;
