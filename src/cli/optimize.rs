@@ -286,21 +286,25 @@ fn mobility(options: &OptimizeOptions, mesh: &Mesh<f64>) -> Result<Vec<Mobility>
             }
         }
     }
-    for what in options.fix.iter().flat_map(|list| list.split(',')) {
+    if let Some(list) = &options.fix {
+        fixed(list, topology)?.iter().for_each(|v| mobility[v.index()] = Mobility::Fixed);
+    }
+    Ok(mobility)
+}
+
+/// The vertices that --fix names.
+pub(super) fn fixed(list: &str, topology: &Topology) -> Result<Vec<VertexId>, Failure> {
+    let mut fixed = Vec::new();
+    for what in list.split(',') {
         match what.trim() {
-            "boundary" => {
-                for v in topology.boundary_loops().concat() {
-                    mobility[v.index()] = Mobility::Fixed;
-                }
-            }
-            "corners" => {
-                for v in topology.vertices().filter(|&v| is_corner(topology, v)) {
-                    mobility[v.index()] = Mobility::Fixed;
-                }
-            }
+            "boundary" => fixed.extend(topology.boundary_loops().concat()),
+            "corners" => fixed.extend(topology.vertices().filter(|&v| is_corner(topology, v))),
             number => {
-                let vertex = number.parse().ok().and_then(|v: usize| mobility.get_mut(v));
-                *vertex.ok_or_else(|| {
+                let vertex = number
+                    .parse()
+                    .ok()
+                    .filter(|&v: &u32| VertexId(v).index() < topology.vertex_count());
+                fixed.push(VertexId(vertex.ok_or_else(|| {
                     Failure::with_help(
                         format!("--fix: '{number}' is no vertex"),
                         format!(
@@ -308,11 +312,11 @@ fn mobility(options: &OptimizeOptions, mesh: &Mesh<f64>) -> Result<Vec<Mobility>
                             topology.vertex_count()
                         ),
                     )
-                })? = Mobility::Fixed;
+                })?));
             }
         }
     }
-    Ok(mobility)
+    Ok(fixed)
 }
 
 /// A boundary vertex in one face.

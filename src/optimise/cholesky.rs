@@ -20,8 +20,8 @@ pub enum NoFactor {
 
 /// The factor `L` of a positive definite matrix `L Lᵀ`.
 pub struct Cholesky {
-    symbolic: SymbolicCholesky<u32>,
-    values: Vec<f64>,
+    pub(super) symbolic: SymbolicCholesky<u32>,
+    pub(super) values: Vec<f64>,
     buffer: MemBuffer,
     size: usize,
 }

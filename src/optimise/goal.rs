@@ -164,7 +164,7 @@ fn quads(topology: &Topology) -> (Vec<[VertexId; 4]>, Vec<[VertexId; 4]>) {
 }
 
 /// Three of `n` numbers in a cycle, far apart.
-fn spread(n: usize) -> [usize; 3] {
+pub(super) fn spread(n: usize) -> [usize; 3] {
     if n == 4 { [0, 1, 2] } else { [0, n / 3, 2 * n / 3] }
 }
 

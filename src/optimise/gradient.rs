@@ -2,6 +2,7 @@
 
 use std::array::from_fn;
 
+use super::polynomial::Polynomial;
 use crate::check::{Residual, RootSum};
 use crate::net::euclidean::{ConcyclicInSpace, ConcyclicNormals};
 use crate::net::i_circular::Concyclic;
@@ -20,6 +21,11 @@ pub trait Differentiable<const K: usize>: Copy + Send + Sync {
 
     /// The value, and the derivatives by the coordinates of each point.
     fn gradient(self, points: &[Point<f64>; K]) -> (f64, [Vector3<f64>; K]);
+
+    /// The function over other numbers, if it is a polynomial.
+    fn polynomial(self) -> Option<Polynomial> {
+        None
+    }
 }
 
 /// The derivatives of a function by dual numbers: the generic formula runs once for each point.
@@ -65,7 +71,7 @@ fn sizes<const K: usize>(points: &[Point<f64>; K]) -> [Point<Magnitude<f64>>; K]
 
 /// Residuals whose derivatives come from dual numbers.
 macro_rules! by_dual_numbers {
-    ($($residual:ty, $k:literal;)*) => {$(
+    ($($residual:ident, $k:literal;)*) => {$(
         impl Differentiable<$k> for $residual {
             fn value(self, points: &[Point<f64>; $k]) -> f64 {
                 self.eval(points, &1.0)
@@ -78,6 +84,10 @@ macro_rules! by_dual_numbers {
             fn gradient(self, points: &[Point<f64>; $k]) -> (f64, [Vector3<f64>; $k]) {
                 by_dual_numbers(points, |p| self.eval(p, &Dual::constant(1.0)))
             }
+
+            fn polynomial(self) -> Option<Polynomial> {
+                Some(Polynomial::$residual(self))
+            }
         }
     )*};
 }
@@ -88,6 +98,10 @@ by_dual_numbers! {
 }
 
 impl Differentiable<4> for Coplanar {
+    fn polynomial(self) -> Option<Polynomial> {
+        Some(Polynomial::Coplanar(self))
+    }
+
     #[inline]
     fn value(self, points: &[Point<f64>; 4]) -> f64 {
         self.eval(points, &1.0)
@@ -108,6 +122,10 @@ impl Differentiable<4> for Coplanar {
 }
 
 impl Differentiable<4> for Concyclic {
+    fn polynomial(self) -> Option<Polynomial> {
+        Some(Polynomial::Concyclic(self))
+    }
+
     #[inline]
     fn value(self, points: &[Point<f64>; 4]) -> f64 {
         self.eval(points, &1.0)
@@ -138,6 +156,10 @@ impl Differentiable<4> for Concyclic {
 }
 
 impl Differentiable<5> for Balance {
+    fn polynomial(self) -> Option<Polynomial> {
+        Some(Polynomial::Balance(self))
+    }
+
     #[inline]
     fn value(self, points: &[Point<f64>; 5]) -> f64 {
         self.eval(points, &1.0)

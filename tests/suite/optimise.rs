@@ -2,4 +2,5 @@
 
 mod curvatures;
 mod derivatives;
+mod existence;
 mod goals;

@@ -61,6 +61,32 @@ pub struct OptimizeOptions {
     pub output: OutputOptions,
 }
 
+/// Prove that an exact mesh with a property is near a mesh in doubles, and write the certificate
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The numbers of the file are read as doubles; the property is one of real numbers, and no doubles
+may have it. By the theorem of Newton and Kantorovich, in verified bounds, a mesh of real numbers
+with the property is proved to exist, no vertex of which is farther from the same vertex of this
+one than a printed radius. --fix names vertices that both share. The mesh is written unchanged with
+the property, the radius and the fixed vertices; check proves it again from the mesh alone, with
+the verdict 'exists'. That there is no proof is a result: exit code 3.
+Examples:
+  isogeo certify planar.obj --is planar --fix boundary -o planar.iso.json
+  isogeo check planar.iso.json --is planar")]
+pub struct CertifyOptions {
+    /// The mesh: .obj, .off, .ply or .iso.json
+    pub mesh: PathBuf,
+    /// What the exact mesh is
+    #[arg(long, value_enum, value_name = "PROPERTY")]
+    pub is: Wish,
+    /// What stays where it is: boundary, corners, or vertices by number, separated by commas
+    #[arg(long, value_name = "WHAT")]
+    pub fix: Option<String>,
+    /// The file to write: .iso.json
+    #[arg(short, long, value_name = "OUT")]
+    pub output: PathBuf,
+}
+
 /// What a mesh shall become
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Wish {
