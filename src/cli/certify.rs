@@ -59,7 +59,7 @@ pub fn run(options: &CertifyOptions, layout: Layout) -> Result<Status, Failure> 
 }
 
 /// The claim, and the bounds that prove it.
-fn in_numbers(certificate: &Certificate, proved: &Existence) -> Value {
+pub(super) fn in_numbers(certificate: &Certificate, proved: &Existence) -> Value {
     let mut value = certificate.json();
     for (name, bound) in [
         ("distance", proved.distance),

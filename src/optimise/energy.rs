@@ -66,7 +66,7 @@ pub fn fairness(topology: &Topology) -> Vec<Box<dyn Conditions>> {
         let ends: Vec<VertexId> = star.iter().map(|&h| topology.target(h)).collect();
         let n = ends.len();
         match topology.kind(v) {
-            VertexKind::Interior if n % 2 == 0 => {
+            VertexKind::Interior if n.is_multiple_of(2) => {
                 straight.extend((0..n / 2).map(|i| [ends[i], v, ends[i + n / 2]]));
             }
             VertexKind::Interior => {

@@ -15,6 +15,7 @@ mod normal;
 mod polynomial;
 mod prescribed;
 mod projection;
+pub mod rationalise;
 mod report;
 mod system;
 mod target;

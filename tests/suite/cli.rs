@@ -9,6 +9,8 @@ mod damage;
 mod invariance;
 mod koebe;
 mod make;
+#[cfg(feature = "optimise")]
+mod optimize;
 mod pairs;
 mod png;
 mod samples;

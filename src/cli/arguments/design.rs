@@ -54,6 +54,15 @@ pub struct OptimizeOptions {
     /// The most steps of each stage
     #[arg(long, value_name = "N", default_value_t = 50)]
     pub steps: usize,
+    /// Make an exact mesh near the one in doubles, in which the property is proved
+    #[arg(long)]
+    pub rationalize: bool,
+    /// How far no vertex shall move then [default: a millionth of the size of the mesh]
+    #[arg(long, value_name = "D", value_parser = weight, requires = "rationalize")]
+    pub within: Option<f64>,
+    /// Prove that an exact mesh with the property is near, and write the certificate (.iso.json)
+    #[arg(long)]
+    pub certify: bool,
     /// A picture of the mesh before and after (SVG)
     #[arg(long, value_name = "SVG")]
     pub picture: Option<PathBuf>,

@@ -1,0 +1,132 @@
+//! From doubles back to exact meshes.
+
+mod circular;
+mod conical;
+mod direction;
+mod dyadic;
+mod heights;
+mod incidence;
+mod linear;
+mod march;
+mod offsets;
+mod outcome;
+mod placing;
+mod planar;
+
+pub use circular::i_circular;
+pub use conical::i_conical;
+pub use outcome::{Element, NoExactMesh, Obstacle, Rationalised};
+pub use planar::planar;
+
+use super::{Frame, Movement};
+use crate::mesh::file::MAX_DIGITS;
+use crate::mesh::{Data, Mesh, VertexId};
+use crate::scalar::{Approx, Rational, RationalField, Ring};
+use crate::space::{Plane, Point, TopView, Vector3};
+
+/// How near the exact mesh shall be, and how long its numbers may become.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Rounding becomes finer until no vertex is moved further, or until that does not help.
+    pub within: f64,
+    /// Longer numbers are refused.
+    pub most_bits: u64,
+}
+
+impl Options {
+    /// No vertex moves further than a millionth of the size of the mesh, and all numbers can be written
+    /// to files.
+    ///
+    /// ```
+    /// use isogeo::optimise::rationalise::Options;
+    /// use isogeo::space::Point;
+    /// let points = [Point::new(-1.0, 0.0, 0.0), Point::new(1.0, 1.0, 0.0)];
+    /// assert_eq!(Options::of(&points).within, 2f64.powi(-20));
+    /// ```
+    pub fn of(points: &[Point<f64>]) -> Options {
+        let within = Frame::of(points).unit * 2f64.powi(-20);
+        // Each digit takes more than three bits.
+        Options { within, most_bits: 3 * MAX_DIGITS as u64 }
+    }
+}
+
+/// The bits of parameters, from attempt to attempt.
+const BITS: [i32; 8] = [12, 16, 20, 24, 28, 32, 40, 48];
+
+/// The first attempt that is near enough, or else the nearest.
+fn nearest(
+    mesh: &Mesh<f64>,
+    options: &Options,
+    attempt: impl Fn(i32) -> Result<Vec<Point<Rational>>, NoExactMesh>,
+) -> Result<Rationalised, NoExactMesh> {
+    let attempt = |bits| Ok(Rationalised::new(mesh, attempt(bits)?));
+    let mut best: Result<Rationalised, NoExactMesh> = attempt(BITS[0]);
+    for &bits in &BITS[1..] {
+        let reached = match &best {
+            Ok(found) if found.movement.largest > options.within => found.movement.largest,
+            // It may be so by coarse rounding.
+            Err(reason) if reason.why == Obstacle::Degenerate => f64::INFINITY,
+            _ => break,
+        };
+        let next = attempt(bits);
+        let distance = next.as_ref().map_or(f64::INFINITY, |next| next.movement.largest);
+        if distance < reached || best.is_err() {
+            best = next;
+        }
+        if best.is_ok() && distance > reached / 2.0 {
+            break;
+        }
+    }
+    best
+}
+
+impl Rationalised {
+    fn new(mesh: &Mesh<f64>, points: Vec<Point<Rational>>) -> Self {
+        let rounded: Vec<_> = points.iter().map(|p| p.map(Approx::to_f64)).collect();
+        let movement = Movement::between(&mesh.points, &rounded);
+        let bits = points.iter().flat_map(Point::coordinates).map(bits).max().unwrap_or(0);
+        let mesh = Mesh { topology: mesh.topology.clone(), points, data: Data::default() };
+        Rationalised { mesh, movement, bits }
+    }
+}
+
+/// The bits of the longer of numerator and denominator.
+fn bits(x: &Rational) -> u64 {
+    x.numerator().bits().max(x.denominator().bits())
+}
+
+/// The points of a mesh in a frame from which exact points lead back.
+struct Inside {
+    points: Vec<Point<f64>>,
+    unit: Rational,
+    middle: Vector3<Rational>,
+}
+
+impl Inside {
+    fn of(points: &[Point<f64>]) -> Result<Inside, NoExactMesh> {
+        let wrong = points.iter().position(|p| p.coordinates().iter().any(|c| !c.is_finite()));
+        if let Some(v) = wrong {
+            return Err(Obstacle::NotFinite.at_vertex(VertexId(v as u32)));
+        }
+        let Frame { middle, unit } = Frame::of(points);
+        // A middle of few bits.
+        let round = |c: f64| (c / unit).round() * unit;
+        let middle = Vector3::new(round(middle.x), round(middle.y), round(middle.z));
+        let frame = Frame { middle, unit };
+        let [x, y, z, unit] = [middle.x, middle.y, middle.z, unit].map(dyadic::finite);
+        let points = points.iter().map(|p| frame.inside(p)).collect();
+        Ok(Inside { points, unit, middle: Vector3 { x, y, z } })
+    }
+
+    /// The point of the mesh of a point in the frame.
+    fn back(&self, p: &Point<Rational>) -> Point<Rational> {
+        &p.map(|c| c * &self.unit) + &self.middle
+    }
+
+    /// The same for planes.
+    fn plane_back(&self, plane: &Plane<Rational>) -> Plane<Rational> {
+        let origin = TopView::new(Rational::zero(), Rational::zero());
+        let above = self.back(&origin.at_height(plane.height.clone()));
+        Plane::through_point(&above, plane.gradient.clone())
+    }
+}
