@@ -2,5 +2,6 @@
 
 mod curvatures;
 mod derivatives;
+mod exact;
 mod existence;
 mod goals;

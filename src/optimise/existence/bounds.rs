@@ -1,6 +1,7 @@
 //! What is known for certain of the equations near the centre. All are divided, row by row, by the
 //! lengths of the gradients in the linearisation.
 
+use super::NoProof;
 use super::problem::Problem;
 use super::rounding::{largest, length, up};
 use crate::mesh::VertexId;
@@ -13,7 +14,7 @@ pub fn ball(difference: DoubleDouble, shift: f64, reach: f64) -> Ball<f64> {
 }
 
 /// Not below the length of the vector of residuals at the centre.
-pub fn residual(problem: &Problem<'_>) -> Option<f64> {
+pub fn residual(problem: &Problem<'_>) -> Result<f64, NoProof> {
     let row = |row| {
         let sharp = |x: DoubleDouble| Ball::new(x, DoubleDouble::from(0.0));
         let value = problem.value(row, |difference, shift| sharp(difference) + sharp(shift.into()));
@@ -24,7 +25,7 @@ pub fn residual(problem: &Problem<'_>) -> Option<f64> {
 
 /// Not below the 2-norm of `J(x̂) − J̃`: how much the derivative at the centre differs from the matrix that was
 /// factorised.
-pub fn deviation(problem: &Problem<'_>) -> Option<f64> {
+pub fn deviation(problem: &Problem<'_>) -> Result<f64, NoProof> {
     let row = |row| {
         let places = problem.places(row);
         let balls = problem.local(places, |difference, shift| ball(difference, shift, 0.0));
@@ -57,7 +58,7 @@ pub fn deviation(problem: &Problem<'_>) -> Option<f64> {
 ///
 /// The sum of the sizes of all second derivatives of a polynomial is at most the second derivative of
 /// the polynomial with positive signs, at the sizes of the coordinates, in the direction (1, …, 1).
-pub fn lipschitz(problem: &Problem<'_>, reach: f64) -> Option<f64> {
+pub fn lipschitz(problem: &Problem<'_>, reach: f64) -> Result<f64, NoProof> {
     let row = |row| {
         let size = |difference, shift| {
             let size = Magnitude(ball(difference, shift, reach).magnitude());

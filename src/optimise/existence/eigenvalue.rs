@@ -14,8 +14,9 @@ use super::rounding::{down, largest, up};
 use crate::optimise::cholesky::Cholesky;
 use crate::optimise::normal::NormalMatrix;
 
-/// The smallest eigenvalue of the matrix that was factorised last, by inverse iteration: what one would guess.
-pub fn guess(factor: &mut Cholesky, size: usize) -> f64 {
+/// The smallest eigenvalue of the matrix that was factorised last, by inverse iteration: what one would guess;
+/// and the row that its eigenvector speaks of most.
+pub fn guess(factor: &mut Cholesky, size: usize) -> (f64, usize) {
     // Any vector will do that is not orthogonal to what is looked for; this one is like no eigenvector.
     let mut x: Vec<f64> = (0..size).map(|i| (i as f64).sqrt().fract() - 0.25).collect();
     let mut value = f64::INFINITY;
@@ -27,7 +28,8 @@ pub fn guess(factor: &mut Cholesky, size: usize) -> f64 {
         if next < 0.9 * value {
             value = next;
         } else {
-            return next.min(value);
+            let row = (0..size).max_by(|&i, &j| x[i].abs().total_cmp(&x[j].abs()));
+            return (next.min(value), row.unwrap_or(0));
         }
     }
 }
@@ -37,7 +39,7 @@ pub fn bound(
     problem: &Problem<'_>,
     matrix: &mut NormalMatrix,
     factor: &mut Cholesky,
-    guess: f64,
+    (guess, row): (f64, usize),
 ) -> Result<f64, NoProof> {
     let (products, sizes) = products(problem);
     let mut shift = guess / 2.0;
@@ -55,7 +57,7 @@ pub fn bound(
         }
         shift /= 4.0;
     }
-    Err(NoProof::Dependent { smallest: guess, rounding })
+    Err(problem.dependent(row, guess, rounding))
 }
 
 /// The largest number of products in an entry of `J̃ J̃ᵀ`, and not below the 2-norm of `|J̃| |J̃|ᵀ`.

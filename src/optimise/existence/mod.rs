@@ -103,26 +103,38 @@ pub fn prove(
     let mut problem = Problem::new(topology, points, goal, mobility)?;
     let equations = problem.system.rows();
     let mut matrix = NormalMatrix::new(&problem.system, points.len());
-    let mut factor = Cholesky::analyse(&matrix.starts, &matrix.rows)?;
-    matrix.fill(&problem.system, &problem.at, 0.0);
-    factor.factorise(&matrix.starts, &matrix.rows, &matrix.values)?;
+    let factor = Cholesky::analyse(&matrix.starts, &matrix.rows);
+    let mut factor = factor.map_err(|_| NoProof::OutOfMemory)?;
+    let mut factorise = |damping: f64| {
+        matrix.fill(&problem.system, &problem.at, damping);
+        factor.factorise(&matrix.starts, &matrix.rows, &matrix.values)
+    };
+    if factorise(0.0).is_err() {
+        let row = match factorise(f64::EPSILON.sqrt()) {
+            Ok(()) => eigenvalue::guess(&mut factor, equations).1,
+            Err(_) => 0,
+        };
+        return Err(problem.dependent(row, 0.0, f64::EPSILON));
+    }
     let guess = eigenvalue::guess(&mut factor, equations);
-    let odd = NoProof::NotPolynomial { name: "of another number of points" };
-    problem.approach(&mut factor).ok_or(odd.clone())?;
+    problem.approach(&mut factor)?;
     let smallest = eigenvalue::bound(&problem, &mut matrix, &mut factor, guess)?;
 
     let singular_value = down(smallest.sqrt());
-    let residual = bounds::residual(&problem).ok_or(odd.clone())?;
-    let deviation = up(bounds::deviation(&problem).ok_or(odd.clone())? / singular_value);
-    // In this order, so that what is not a number is no proof.
-    if !(deviation < 1.0) {
+    let residual = bounds::residual(&problem)?;
+    let deviation = up(bounds::deviation(&problem)? / singular_value);
+    let margin = down(1.0 - deviation);
+    // What is not a number is no proof.
+    let is_invertible = margin > 0.0;
+    if !is_invertible {
         return Err(NoProof::TooFar { deviation, contraction: f64::INFINITY });
     }
-    let inverse = up(1.0 / down(1.0 - deviation));
+    let inverse = up(1.0 / margin);
     let reach = up(2.0 * inverse * residual / singular_value);
-    let lipschitz = bounds::lipschitz(&problem, reach).ok_or(odd)?;
+    let lipschitz = bounds::lipschitz(&problem, reach)?;
     let contraction = up(inverse * inverse * lipschitz * residual / smallest);
-    if !(contraction <= 0.5) {
+    let is_near = contraction <= 0.5;
+    if !is_near {
         return Err(NoProof::TooFar { deviation, contraction });
     }
     shape::is_as_asked(&problem, topology, goal, reach)?;

@@ -4,7 +4,6 @@ use std::fmt;
 
 use crate::check::Element;
 use crate::mesh::VertexId;
-use crate::optimise::NoFactor;
 
 /// Why a proof of existence does not succeed. None of it says that there is no such mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +26,10 @@ pub enum NoProof {
     },
     /// The gradients of the conditions depend on each other, as far as doubles tell.
     Dependent {
+        /// What the condition asks for that the dependence speaks of most.
+        name: &'static str,
+        /// Its points.
+        at: Vec<VertexId>,
         /// What the smallest eigenvalue of their matrix of inner products seems to be.
         smallest: f64,
         /// How much of it rounding may have made.
@@ -45,13 +48,9 @@ pub enum NoProof {
     OutOfMemory,
 }
 
-impl From<NoFactor> for NoProof {
-    fn from(reason: NoFactor) -> NoProof {
-        match reason {
-            NoFactor::OutOfMemory => NoProof::OutOfMemory,
-            NoFactor::NotPositive => NoProof::Dependent { smallest: 0.0, rounding: f64::EPSILON },
-        }
-    }
+fn numbers(vertices: &[VertexId]) -> String {
+    let numbers: Vec<String> = vertices.iter().map(|v| v.0.to_string()).collect();
+    numbers.join(" ")
 }
 
 impl fmt::Display for NoProof {
@@ -62,15 +61,16 @@ impl fmt::Display for NoProof {
                 write!(f, "the condition '{name}' is no polynomial, which the proof asks for")
             }
             NoProof::NoSuchVertex(v) => write!(f, "there is no vertex {}", v.0),
-            NoProof::Rigid { name, at } => {
-                let at: Vec<String> = at.iter().map(|v| v.0.to_string()).collect();
-                let at = at.join(" ");
-                write!(f, "no movement that is allowed changes the condition '{name}' at {at}")
-            }
-            NoProof::Dependent { smallest, rounding } => write!(
+            NoProof::Rigid { name, at } => write!(
                 f,
-                "the conditions depend on each other as far as doubles tell: the smallest eigenvalue \
-                 seems to be {smallest:.1e}, and rounding may have made {rounding:.1e} of it"
+                "no movement that is allowed changes the condition '{name}' at vertices {}",
+                numbers(at)
+            ),
+            NoProof::Dependent { name, at, smallest, rounding } => write!(
+                f,
+                "the conditions depend on each other as far as doubles tell, '{name}' at vertices {} most: the \
+                 smallest eigenvalue seems to be {smallest:.1e}, and rounding may have made {rounding:.1e} of it",
+                numbers(at)
             ),
             NoProof::TooFar { deviation, contraction } if *deviation < 1.0 => write!(
                 f,

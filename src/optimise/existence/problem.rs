@@ -59,6 +59,22 @@ impl<'a> Problem<'a> {
         &self.polynomials[row]
     }
 
+    /// That the conditions depend on each other, this one most.
+    pub fn dependent(&self, row: usize, smallest: f64, rounding: f64) -> NoProof {
+        NoProof::Dependent {
+            name: self.name(row),
+            at: self.places(row).to_vec(),
+            smallest,
+            rounding,
+        }
+    }
+
+    /// What an equation asks for.
+    fn name(&self, row: usize) -> &'static str {
+        let kind = self.system.kinds().find(|(_, rows)| rows.contains(&row));
+        kind.map_or("", |(kind, _)| kind.name())
+    }
+
     /// Whether a vertex may move.
     pub fn is_free(&self, v: VertexId) -> bool {
         self.mobility[v.index()] != Mobility::Fixed
@@ -94,14 +110,20 @@ impl<'a> Problem<'a> {
         self.polynomials[row].eval(&self.local(self.places(row), coordinate))
     }
 
-    /// A number for each equation, in parallel.
-    pub fn rows(&self, number: impl Fn(usize) -> Option<f64> + Sync + Send) -> Option<Vec<f64>> {
+    /// A number for each equation, in parallel; `None` where it has another number of points than its
+    /// polynomial.
+    pub fn rows(
+        &self,
+        number: impl Fn(usize) -> Option<f64> + Sync + Send,
+    ) -> Result<Vec<f64>, NoProof> {
         const CHUNK: usize = 64;
-        (0..self.system.rows()).into_par_iter().with_min_len(CHUNK).map(number).collect()
+        let rows = (0..self.system.rows()).into_par_iter().with_min_len(CHUNK);
+        let numbers: Result<_, usize> = rows.map(|row| number(row).ok_or(row)).collect();
+        numbers.map_err(|row| NoProof::NotPolynomial { name: self.name(row) })
     }
 
     /// Moves the centre by Newton steps with the factor of `J̃ J̃ᵀ`, as long as each halves the residuals.
-    pub fn approach(&mut self, factor: &mut Cholesky) -> Option<()> {
+    pub fn approach(&mut self, factor: &mut Cholesky) -> Result<(), NoProof> {
         let (mut residuals, mut size) = self.residuals()?;
         loop {
             let mut y = residuals;
@@ -121,17 +143,17 @@ impl<'a> Problem<'a> {
             if smaller >= size || smaller.is_nan() {
                 self.shifts = before;
             }
-            return Some(());
+            return Ok(());
         }
     }
 
     /// The residuals at the centre over the lengths of the gradients, rounded, and their size.
-    fn residuals(&self) -> Option<(Vec<f64>, f64)> {
+    fn residuals(&self) -> Result<(Vec<f64>, f64), NoProof> {
         let residuals = self.rows(|row| {
             let value = self.value(row, |difference, shift| difference + DoubleDouble::from(shift));
             Some(value?.high() / self.at.lengths[row])
         })?;
         let size = residuals.iter().map(|r| r * r).sum::<f64>().sqrt();
-        Some((residuals, size))
+        Ok((residuals, size))
     }
 }

@@ -14,7 +14,7 @@ use super::NoProof;
 use super::bounds::ball;
 use super::problem::Problem;
 use crate::check::{Element, Residual};
-use crate::mesh::{FaceId, Topology, VertexId};
+use crate::mesh::{FaceId, Topology, VertexId, VertexKind};
 use crate::net::euclidean::ConcyclicInSpace;
 use crate::net::planar::ProjectedArea;
 use crate::optimise::goal::spread;
@@ -71,8 +71,7 @@ pub fn is_as_asked(
 
 impl Near<'_> {
     fn touches_interior(&self, corners: &[VertexId]) -> bool {
-        use crate::mesh::VertexKind::Interior;
-        corners.iter().any(|&v| self.topology.kind(v) == Interior)
+        corners.iter().any(|&v| self.topology.kind(v) == VertexKind::Interior)
     }
 
     fn at(&self, places: &[VertexId]) -> Vec<Point<Ball<f64>>> {
@@ -100,50 +99,55 @@ impl Near<'_> {
         }
     }
 
-    /// Whether an equation at a vertex compares what it should.
+    /// Whether an equation compares what it should.
     fn compares(&self, row: usize) -> Result<(), NoProof> {
         let places = self.problem.places(row);
-        match (self.problem.polynomial(row), places) {
-            (Polynomial::Balance(_), [v, ends @ ..]) => {
-                let is_point = |x: &&VertexId| match self.at(&[*v, **x]).as_slice() {
-                    [v, x] => {
-                        let edge = (x - v).top_view();
-                        !edge.x.excludes_zero() && !edge.y.excludes_zero()
-                    }
-                    _ => true,
-                };
-                match ends.iter().find(is_point) {
-                    Some(x) => Err(NoProof::Degenerate(Element::Edge(*v, *x))),
-                    None => Ok(()),
-                }
+        let wrong = match self.problem.polynomial(row) {
+            Polynomial::Balance(_) => self.edge_without_length(places),
+            Polynomial::ConcyclicGradients(_) => self.vertex_without_gradients(places),
+            Polynomial::ConcyclicInSpace(ConcyclicInSpace(projection)) => {
+                self.face_without_area(*projection, places)
             }
-            (Polynomial::ConcyclicGradients(_), _) => {
-                let triangles: Vec<&[VertexId]> = places.chunks(3).collect();
-                let top = ProjectedArea::TopView;
-                let graphs = triangles.iter().all(|triangle| self.has_area(top, triangle));
-                let different = [[0, 1], [1, 2], [2, 0]].into_iter();
-                let different = different
-                    .map(|pair| pair.map(|i| triangles[i]))
-                    .all(|[a, b]| self.differ(a, b));
-                if graphs && different {
-                    return Ok(());
-                }
-                let vertex = places.iter().find(|v| triangles.iter().all(|t| t.contains(v)));
-                Err(NoProof::Degenerate(Element::Vertex(*vertex.unwrap_or(&places[0]))))
+            Polynomial::Coplanar(_) | Polynomial::Concyclic(_) => None,
+        };
+        wrong.map_or(Ok(()), |element| Err(NoProof::Degenerate(element)))
+    }
+
+    /// An edge from the first vertex to another that may be seen as a point in the top view.
+    fn edge_without_length(&self, places: &[VertexId]) -> Option<Element> {
+        let (v, ends) = places.split_first()?;
+        let is_point = |x: &&VertexId| match self.at(&[*v, **x]).as_slice() {
+            [v, x] => {
+                let edge = (x - v).top_view();
+                !edge.x.excludes_zero() && !edge.y.excludes_zero()
             }
-            (Polynomial::ConcyclicInSpace(ConcyclicInSpace(projection)), _) => {
-                let triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 0], [3, 0, 1]].into_iter();
-                let mut triangles = triangles.map(|triangle| triangle.map(|i| places[i]));
-                if triangles.any(|triangle| self.has_area(*projection, &triangle)) {
-                    return Ok(());
-                }
-                let has_all =
-                    |f: &FaceId| places.iter().all(|v| self.topology.face(*f).contains(v));
-                let face = self.topology.faces().find(has_all);
-                Err(NoProof::Degenerate(Element::Face(face.unwrap_or(FaceId(0)))))
-            }
-            _ => Ok(()),
+            _ => true,
+        };
+        ends.iter().find(is_point).map(|x| Element::Edge(*v, *x))
+    }
+
+    /// The common vertex of triangles that may have no gradients, or the first three not different ones.
+    fn vertex_without_gradients(&self, places: &[VertexId]) -> Option<Element> {
+        let triangles: Vec<&[VertexId]> = places.chunks(3).collect();
+        let graphs = triangles.iter().all(|t| self.has_area(ProjectedArea::TopView, t));
+        let different = [(0, 1), (1, 2), (2, 0)];
+        if graphs && different.iter().all(|&(i, j)| self.differ(triangles[i], triangles[j])) {
+            return None;
         }
+        let common = places.iter().find(|v| triangles.iter().all(|t| t.contains(v)));
+        common.or(places.first()).map(|v| Element::Vertex(*v))
+    }
+
+    /// The face of four corners whose projection may lie on a line.
+    fn face_without_area(&self, projection: ProjectedArea, places: &[VertexId]) -> Option<Element> {
+        let n = places.len();
+        let triangle = |i: usize| [0, 1, 2].map(|k| places[(i + k) % n]);
+        if (0..n).any(|i| self.has_area(projection, &triangle(i))) {
+            return None;
+        }
+        let has_all = |f: &FaceId| places.iter().all(|v| self.topology.face(*f).contains(v));
+        let face = self.topology.faces().find(has_all).map(Element::Face);
+        face.or(places.first().map(|v| Element::Vertex(*v)))
     }
 
     /// Whether the gradients of the planes of two triangles are certainly different.

@@ -179,6 +179,17 @@ fn dependent_conditions_are_no_proof() {
     let found = proof(&cube, Goal::ICircular);
     assert!(matches!(found, Err(NoProof::Dependent { .. })), "{found:?}");
     assert!(proof(&cube, Goal::Planar).is_ok());
+    // It is said where, also in a larger mesh.
+    let mut more = FaceList::new();
+    more.push([8, 9, 10, 11]);
+    cube.topology.faces().for_each(|f| more.push(cube.topology.face(f).iter().map(|v| v.0)));
+    let beside =
+        [[5.0, 0.0], [6.0, 0.0], [6.0, 1.0], [5.0, 1.0]].map(|[x, y]| Point::new(x, y, 0.0));
+    let both = Mesh::new([points.clone(), beside.to_vec()].concat(), more).expect("a mesh");
+    match proof(&both, Goal::ICircular) {
+        Err(NoProof::Dependent { at, .. }) => assert!(at.iter().all(|v| v.0 < 8), "{at:?}"),
+        other => panic!("{other:?}"),
+    }
     // The control: with the three faces at vertex 1 there is a proof.
     let mut three = FaceList::new();
     for f in [0, 2, 3].map(FaceId) {
