@@ -15,9 +15,9 @@ pub(super) const FIGURE: Figure = Figure {
               (fairness 1), subdivided (Catmull-Clark), optimised, and so once more. M': an i-conical mesh of \
               16 by 12 faces, made likewise near z = -x^2/24 - y^2/7 + xy/100 + x^3/400 over \
               -5 <= x <= 5, -3 <= y <= 3, from the grid of 4 by 3 faces over it; corners were kept, and \
-              boundary vertices slid along its chords. Mesh and surface do not fit along the \
-              boundary, and M' is less smooth, as its top view (right) shows. The meshes of the optimisation were made \
-              exact and kept: cargo run --release --example frozen -- src/figure/frozen. Heights are scaled.",
+              boundary vertices slid along its chords. The \
+              principal lines do not follow the boundary, and M' is less smooth there (right: its top view). \
+              The meshes of the optimisation were made exact and kept: cargo run --release --example frozen -- src/figure/frozen. Heights are scaled.",
     claims: &["thm-2-dual"],
     make,
 };
