@@ -1,4 +1,7 @@
 //! Fig. 1: an architectural study.
+//!
+//! The mesh is an exact patch of an i-minimal surface, not one from optimisation: so it is i-minimal
+//! as it stands, which an optimised mesh near such a surface is not.
 
 use super::draw::{Color, Item, Model, Paint, Piece, Scene, Stroke, View, painted};
 use super::fig_08::bonnet_patch;

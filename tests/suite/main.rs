@@ -9,6 +9,8 @@ mod elimination;
 mod examples;
 mod figures;
 mod files;
+#[cfg(feature = "optimise")]
+mod frozen;
 mod house;
 mod incircles;
 mod linear_space;
