@@ -87,11 +87,11 @@ impl<'a> Projection<'a> {
         gain: f64,
     ) -> Option<(Vec<Point<f64>>, Linearisation)> {
         let before = norm2(&at.residuals);
-        // After a step that gained much the matrix has changed little, and the last factor may do once more.
-        if self.is_factorised && gain < LITTLE_CHANGE {
+        // After a step that gained much the matrix has changed little, and the last factor may do again.
+        if self.is_factorised && gain < SMALL_GAIN {
             let mut y = at.residuals.clone();
             self.factor.solve(&mut y);
-            if let Some(next) = self.shift(points, at, &y, LITTLE_CHANGE * before) {
+            if let Some(next) = self.shift(points, at, &y, SMALL_GAIN * SMALL_GAIN * before) {
                 return Some(next);
             }
         }
@@ -138,8 +138,9 @@ impl<'a> Projection<'a> {
     }
 }
 
-/// What a step has to leave of the squares of the distances for the last factor to be used again.
-const LITTLE_CHANGE: f64 = 1.0 / 256.0;
+/// What a step has to leave of the distances for the last factor to be used again: solving is so much
+/// cheaper than a new factor.
+const SMALL_GAIN: f64 = 1.0 / 8.0;
 
 /// What is left of a distance when coordinates are rounded.
 fn rounding(points: &[Point<f64>]) -> f64 {
