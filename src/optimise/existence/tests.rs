@@ -110,7 +110,10 @@ fn a_centre_that_is_elsewhere_deviates_and_has_residuals() {
         // At the points themselves doubles know the residuals.
         let observed = norm(problem.at.residuals.iter().copied());
         let bounded = residual(&problem).expect("polynomials");
-        assert!((bounded / observed - 1.0).abs() < f64::EPSILON.sqrt(), "{goal:?}: {bounded} {observed}");
+        assert!(
+            (bounded / observed - 1.0).abs() < f64::EPSILON.sqrt(),
+            "{goal:?}: {bounded} {observed}"
+        );
         problem.shifts = vectors(7).iter().map(|v| v.scaled(&0.01)).collect();
         let there = moved(&points, &problem.shifts, 1.0);
         let w = vectors(8);
@@ -121,7 +124,10 @@ fn a_centre_that_is_elsewhere_deviates_and_has_residuals() {
         let observed = problem.system.residuals(&there, &problem.at.lengths);
         let observed = norm(observed.into_iter());
         let bounded = residual(&problem).expect("polynomials");
-        assert!((bounded / observed - 1.0).abs() < f64::EPSILON.sqrt(), "{goal:?}: {bounded} {observed}");
+        assert!(
+            (bounded / observed - 1.0).abs() < f64::EPSILON.sqrt(),
+            "{goal:?}: {bounded} {observed}"
+        );
     }
 }
 
