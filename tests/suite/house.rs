@@ -106,9 +106,7 @@ fn topology_sees_no_coordinate() {
 
 #[test]
 fn no_epsilon_and_no_unsafe() {
-    // Tests beside the code may compare doubles.
-    let is_test = |path: &PathBuf| path.ends_with("tests.rs");
-    for path in sources(&root().join("src")).into_iter().filter(|path| !is_test(path)) {
+    for path in sources(&root().join("src")) {
         let code: String = code(&path).split('"').step_by(2).collect();
         assert!(!code.contains("unsafe "), "{}", path.display());
         let small = code.match_indices("e-").any(|(i, _)| {
