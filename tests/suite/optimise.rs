@@ -5,3 +5,4 @@ mod derivatives;
 mod exact;
 mod existence;
 mod goals;
+mod rationalise;

@@ -28,7 +28,7 @@ pub fn i_circular(mesh: &Mesh<f64>, options: &Options) -> Result<Rationalised, N
     let steps = march(&mesh.topology)?;
     let inside = Inside::of(&mesh.points)?;
     super::nearest(mesh, options, |bits| {
-        let net = CircularNet::new(&mesh.topology, &inside.points, &steps, bits, options)?;
+        let net = CircularNet::near(&mesh.topology, &inside.points, &steps, bits, options)?;
         Ok(net.points.iter().map(|p| inside.back(p)).collect())
     })
 }
@@ -66,7 +66,7 @@ impl Edge {
 
 impl<'a> CircularNet<'a> {
     /// Places the vertices near these points.
-    pub fn new(
+    pub fn near(
         topology: &'a Topology,
         targets: &[Point<f64>],
         steps: &[Step],
@@ -96,7 +96,7 @@ impl<'a> CircularNet<'a> {
                 Step::Close(h) => net.close(h, target, rounding),
             };
             let point = point.ok_or(Obstacle::Degenerate.at_vertex(v))?;
-            if point.coordinates().into_iter().any(|c| bits(c) > options.most_bits) {
+            if bits(&point) > options.most_bits {
                 return Err(Obstacle::TooManyBits.at_vertex(v));
             }
             net.near[v.index()] = TopView::new(point.x.to_f64(), point.y.to_f64());

@@ -32,7 +32,7 @@ pub fn i_conical(mesh: &Mesh<f64>, options: &Options) -> Result<Rationalised, No
     let steps = march(&dual).map_err(|reason| in_mesh(reason, &inner))?;
     let faces = faces_around(topology);
     super::nearest(mesh, options, |bits| {
-        let net = CircularNet::new(&dual, &around.points, &steps, bits, options)
+        let net = CircularNet::near(&dual, &around.points, &steps, bits, options)
             .map_err(|reason| in_mesh(reason, &inner))?;
         let planes: Vec<_> = net.points.iter().map(|p| around.back(p).dual()).collect();
         let mut points = vec![None; mesh.points.len()];

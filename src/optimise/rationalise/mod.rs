@@ -54,13 +54,16 @@ impl Options {
 const BITS: [i32; 8] = [12, 16, 20, 24, 28, 32, 40, 48];
 
 /// The first attempt that is near enough, or else the nearest.
+///
+/// Distances are taken to halve with every bit, so that few attempts are made.
 fn nearest(
     mesh: &Mesh<f64>,
     options: &Options,
     attempt: impl Fn(i32) -> Result<Vec<Point<Rational>>, NoExactMesh>,
 ) -> Result<Rationalised, NoExactMesh> {
-    let attempt = |bits| Ok(Rationalised::new(mesh, attempt(bits)?));
+    let attempt = |bits| Rationalised::new(mesh, attempt(bits)?).of_at_most(options.most_bits);
     let mut best: Result<Rationalised, NoExactMesh> = attempt(BITS[0]);
+    let mut next = BITS[0];
     for &bits in &BITS[1..] {
         let reached = match &best {
             Ok(found) if found.movement.largest > options.within => found.movement.largest,
@@ -68,10 +71,15 @@ fn nearest(
             Err(reason) if reason.why == Obstacle::Degenerate => f64::INFINITY,
             _ => break,
         };
-        let next = attempt(bits);
-        let distance = next.as_ref().map_or(f64::INFINITY, |next| next.movement.largest);
+        let is_enough = 2f64.powi(next - bits) * reached <= options.within;
+        if best.is_ok() && !is_enough && bits < BITS[BITS.len() - 1] {
+            continue;
+        }
+        let found = attempt(bits);
+        next = bits;
+        let distance = found.as_ref().map_or(f64::INFINITY, |found| found.movement.largest);
         if distance < reached || best.is_err() {
-            best = next;
+            best = found;
         }
         if best.is_ok() && distance > reached / 2.0 {
             break;
@@ -84,15 +92,23 @@ impl Rationalised {
     fn new(mesh: &Mesh<f64>, points: Vec<Point<Rational>>) -> Self {
         let rounded: Vec<_> = points.iter().map(|p| p.map(Approx::to_f64)).collect();
         let movement = Movement::between(&mesh.points, &rounded);
-        let bits = points.iter().flat_map(Point::coordinates).map(bits).max().unwrap_or(0);
+        let bits = points.iter().map(bits).max().unwrap_or(0);
         let mesh = Mesh { topology: mesh.topology.clone(), points, data: Data::default() };
         Rationalised { mesh, movement, bits }
     }
+
+    fn of_at_most(self, most_bits: u64) -> Result<Self, NoExactMesh> {
+        match self.mesh.points.iter().position(|p| bits(p) > most_bits) {
+            Some(v) => Err(Obstacle::TooManyBits.at_vertex(VertexId(v as u32))),
+            None => Ok(self),
+        }
+    }
 }
 
-/// The bits of the longer of numerator and denominator.
-fn bits(x: &Rational) -> u64 {
-    x.numerator().bits().max(x.denominator().bits())
+/// The bits of the longest numerator or denominator of a coordinate.
+fn bits(p: &Point<Rational>) -> u64 {
+    let longer = |c: &Rational| c.numerator().bits().max(c.denominator().bits());
+    p.coordinates().into_iter().map(longer).max().unwrap_or(0)
 }
 
 /// The points of a mesh in a frame from which exact points lead back.

@@ -101,8 +101,7 @@ fn in_order(
             _ => incidence.at(placement.node, obstacle),
         };
         let placed = placing.place(placement).ok_or(at(Obstacle::Degenerate))?;
-        let mut coordinates = placed.into_iter().flat_map(Point::coordinates);
-        if coordinates.any(|c| bits(c) > options.most_bits) {
+        if placed.is_some_and(|point| bits(point) > options.most_bits) {
             return Err(at(Obstacle::TooManyBits));
         }
     }
