@@ -1,12 +1,13 @@
 //! What optimisation costs: `cargo bench --bench optimise`.
 //!
 //! An i-Enneper net with 2 % noise is brought to planar, i-circular and i-conical, until distances are
-//! those of rounding. `benches/peers/optimise.py` does the same with sparse factorisations from Python.
+//! those of rounding; sizes may be given: `-- 50 1000`. `benches/peers/optimise.py` does the same with sparse
+//! factorisations from Python, and planarises the patch with other programs.
 
 use std::time::Instant;
 
 use isogeo::mesh::{FaceList, Mesh};
-use isogeo::optimise::{Goal, Mobility, Projection, Stage, System};
+use isogeo::optimise::{Design, Goal, Method, Movement, mean_edge};
 use isogeo::space::Point;
 
 /// The number in [0, 1) of an index, for a seed.
@@ -37,7 +38,7 @@ fn grid(m: u32, point: impl Fn(f64, f64) -> [f64; 3]) -> Mesh<f64> {
 
 /// `x + iy = ζ^(2/3)`, `z = Re ζ² / 5` with ζ in [1, 2] + i [0.2, 1.2], and each coordinate moved by at
 /// most 2 % of the mean edge of the top view.
-fn noisy_enneper(m: u32) -> (Mesh<f64>, f64) {
+fn noisy_enneper(m: u32) -> Mesh<f64> {
     let mut mesh = grid(m, |u, v| {
         let (a, b) = (1.0 + u, 0.2 + v);
         let (r, angle) = ((a * a + b * b).cbrt(), f64::atan2(b, a) * 2.0 / 3.0);
@@ -57,46 +58,71 @@ fn noisy_enneper(m: u32) -> (Mesh<f64>, f64) {
         let shift = |seed| 0.02 * edge * (2.0 * noise(seed, i) - 1.0);
         *p = Point::new(p.x + shift(11), p.y + shift(12), p.z + shift(13));
     }
-    (mesh, edge)
+    mesh
+}
+
+/// The height field of 32 by 32 faces on which planarisers are compared.
+fn patch() -> Mesh<f64> {
+    grid(32, |u, v| {
+        let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
+        [x, y, 0.3 * (1.7 * x + 0.3).sin() * (1.3 * y - 0.2).cos() + 0.2 * x * y]
+    })
+}
+
+/// The best of some runs.
+fn measure(name: &str, design: &Design, mesh: &Mesh<f64>, runs: usize) {
+    let (mut best, mut line) = (f64::INFINITY, String::new());
+    for _ in 0..runs {
+        let start = Instant::now();
+        let found = design.run(mesh, |_| true).expect("memory suffices");
+        let seconds = start.elapsed().as_secs_f64();
+        if seconds < best {
+            best = seconds;
+            let edge = mean_edge(&mesh.topology, &mesh.points);
+            let movement = Movement::between(&mesh.points, &found.points);
+            let distance = found.steps.last().map_or(0.0, |step| step.distance());
+            line = format!(
+                "{name:<22} {:>8} {seconds:>9.4} {:>6} {:>9.1e} {:>9.4} {:>9.3}  {}",
+                mesh.topology.face_count(),
+                found.steps.len() - 1,
+                distance / edge,
+                movement.rms / edge,
+                movement.largest / edge,
+                found.ending.name(),
+            );
+        }
+    }
+    println!("{line}");
 }
 
 fn main() {
-    println!("goal         faces    seconds  steps  distance  rms moved (edges)");
-    for m in [50, 100, 200] {
-        let (mesh, edge) = noisy_enneper(m);
-        for goal in [Goal::Planar, Goal::ICircular, Goal::IConical] {
-            let mut best = f64::INFINITY;
-            let mut line = String::new();
-            for _ in 0..3 {
-                let start = Instant::now();
-                let mut points = mesh.points.clone();
-                let system = System::new(goal.conditions(&mesh.topology, &points));
-                let mobility = vec![Mobility::Free; points.len()];
-                let t0 = start.elapsed().as_secs_f64();
-                let mut projection = Projection::new(&system, &mobility).expect("memory");
-                let t1 = start.elapsed().as_secs_f64();
-                let mut log = Vec::new();
-                let ending = projection.run(&mut points, 20, Stage::Projection, |step| {
-                    let worst = step.distance();
-                    log.push((worst / edge, start.elapsed().as_secs_f64()));
-                    true
-                });
-                let seconds = start.elapsed().as_secs_f64();
-                let moved: f64 =
-                    points.iter().zip(&mesh.points).map(|(p, q)| (p - q).length2()).sum();
-                let rms = (moved / points.len() as f64).sqrt() / edge;
-                if seconds < best {
-                    best = seconds;
-                    line = format!(
-                        "{:10} {:8} {seconds:10.4} {:5}  {:8.1e}  {rms:.5}  {ending:?} {t0:.4} {t1:.4} {log:.4?}",
-                        goal.property().name(),
-                        mesh.topology.face_count(),
-                        log.len() - 1,
-                        log.last().map_or(0.0, |l| l.0)
-                    );
-                }
-            }
-            println!("{line}");
+    let sizes: Vec<u32> = std::env::args().filter_map(|a| a.parse().ok()).collect();
+    let sizes = if sizes.is_empty() { vec![50, 100, 200] } else { sizes };
+    println!("lengths are in mean edges; threads: {}", rayon::current_num_threads());
+    println!(
+        "{:<22} {:>8} {:>9} {:>6} {:>9} {:>9} {:>9}",
+        "goal", "faces", "seconds", "steps", "distance", "rms", "largest"
+    );
+    let goals = [Goal::Planar, Goal::ICircular, Goal::IConical];
+    for m in sizes {
+        let mesh = noisy_enneper(m);
+        for goal in goals {
+            let runs = if m > 300 { 1 } else { 5 };
+            measure(goal.property().name(), &Design::new(goal, mesh.points.len()), &mesh, runs);
         }
+        for goal in &goals[1..] {
+            let design =
+                Design { method: Method::TwoStage, ..Design::new(*goal, mesh.points.len()) };
+            let name = format!("{}, two stages", goal.property().name());
+            measure(&name, &design, &mesh, if m > 300 { 1 } else { 3 });
+        }
+    }
+    println!("the patch of 1024 faces");
+    let mesh = patch();
+    let free = Design::new(Goal::Planar, mesh.points.len());
+    measure("planar", &free, &mesh, 5);
+    for shape in [0.0, 1.0, 100.0] {
+        let design = Design { shape, ..Design::new(Goal::Planar, mesh.points.len()) };
+        measure(&format!("planar, shape {shape}"), &design, &mesh, 3);
     }
 }

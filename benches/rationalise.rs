@@ -134,7 +134,7 @@ fn zonohedron(n: u32) -> Mesh<f64> {
     };
     let (mut names, mut points) = (BTreeMap::new(), Vec::new());
     let mut sum = |from: u32, count: u32| {
-        let key = if count % n == 0 { (0, count) } else { (from % n, count) };
+        let key = if count.is_multiple_of(n) { (0, count) } else { (from % n, count) };
         *names.entry(key).or_insert_with(|| {
             let parts = (from..from + count).map(vector);
             let [x, y, z] = parts.fold([0.0; 3], |s, v| [s[0] + v[0], s[1] + v[1], s[2] + v[2]]);

@@ -23,6 +23,7 @@
 //! | [`net`] | classes of mesh: planar, i-circular, i-conical, ... |
 //! | [`pair`] | pairs of meshes: parallel, f-parallel, v-parallel; curvatures, linear spaces |
 //! | [`construct`] | exact families, circle patterns, metric and Christoffel duals, Gauss images, images in Euclidean space, subdivision, Delaunay meshes of samples |
+//! | `optimise` (feature) | meshes that are moved until they are in a class; exact meshes near them, and proofs that there are |
 //! | [`claim`] | the ledger: what the paper claims, decided for all inputs |
 //!
 //! # Example

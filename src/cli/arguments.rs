@@ -17,7 +17,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::scalar::ReadAs;
 pub use claims::{ClaimsCommand, ClaimsOptions, VerifyOptions};
 #[cfg(feature = "optimise")]
-pub use design::{Approach, OptimizeOptions, Slide, Wish};
+pub use design::{Approach, CertifyOptions, OptimizeOptions, Slide, Wish};
 pub use figures::{FigureKind, FigureOptions, ViewOptions};
 pub use pairs::{
     At, ChristoffelOptions, CurvatureOptions, GaussKind, GaussOptions, MakeOptions, OffsetOptions,
@@ -29,7 +29,8 @@ pub use subdivide::{Scheme, SubdivideOptions};
 #[derive(Debug, Parser)]
 #[command(name = "isogeo", version, about, styles = STYLES, propagate_version = true)]
 #[command(after_help = "\
-Verdicts: proved, refuted, consistent (with the printed digits), undecided, vacuous.
+Verdicts: proved, refuted, consistent (with the printed digits), exists (an exact mesh is near),
+          undecided, vacuous.
 Exit codes: 0 everything asked for is proved; 1 something is refuted; 2 bad input or usage;
             3 nothing refuted, but not everything proved; 130 interrupted.
 Example:
@@ -76,6 +77,8 @@ pub enum Command {
     Claims(ClaimsOptions),
     #[cfg(feature = "optimise")]
     Optimize(OptimizeOptions),
+    #[cfg(feature = "optimise")]
+    Certify(CertifyOptions),
     Figure(FigureOptions),
     View(ViewOptions),
     /// Print a completion script for a shell
@@ -133,6 +136,8 @@ Properties of a pair M, S, with --with S: parallel (edges), f-parallel (face pla
 (top views), christoffel-dual (parallel, mixed areas 0), i-minimal (H = 0 at every face), cmc (H is
 the same at every face), constant-k. S has the faces of M, with the vertices in the same order.
 Without --is all are judged and the exit code is 0.
+Where the numbers of an .iso.json file refute a property, but it has a certificate that an exact
+mesh is near (see certify), that is verified from the mesh alone; then the verdict is 'exists'.
 The defect of a residual is its size, divided by the sum of the sizes of its terms: free of units.
 Examples:
   isogeo check roof.obj --is planar,i-circular --format json

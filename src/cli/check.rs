@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::arguments::{CheckOptions, Layout};
+use super::existence::{Existence, Verified};
 use super::failure::Failure;
 use super::input::{self, Input};
 use super::{Status, output, words};
@@ -19,6 +20,21 @@ use crate::scalar::{Rational, ReadAs};
 enum Asked {
     Mesh(Property),
     Pair(PairProperty),
+}
+
+/// A report, and what a certificate says where the numbers refute the property.
+struct Judged {
+    report: Report<Rational>,
+    existence: Option<Verified>,
+}
+
+impl Judged {
+    fn verdict(&self) -> Verdict {
+        match self.existence {
+            Some(Ok(_)) => Verdict::Exists,
+            _ => self.report.verdict(),
+        }
+    }
 }
 
 /// Judges the mesh and prints the report.
@@ -47,11 +63,20 @@ pub fn run(options: &CheckOptions, layout: Layout) -> Result<Status, Failure> {
         net = net.with_radii(VertexId((meshes * input.topology().vertex_count()) as u32));
     }
     let couple = couple(&input, image.as_ref(), &decider)?;
+    let certificate = Existence::new(&input);
     let reports = asked.into_iter().filter_map(|asked| {
         bar.set_message(asked.name());
         match asked {
-            Asked::Mesh(property) => Some(net.check(property)),
-            Asked::Pair(property) => couple.as_ref().map(|couple| couple.check(property)),
+            Asked::Mesh(property) => {
+                let report = net.check(property);
+                let is_refuted = report.verdict() == Verdict::Refuted;
+                let existence = if is_refuted { certificate.of(property) } else { None };
+                Some(Judged { report, existence })
+            }
+            Asked::Pair(property) => {
+                let report = couple.as_ref()?.check(property);
+                Some(Judged { report, existence: None })
+            }
         }
     });
     let reports: Vec<_> = reports.collect();
@@ -124,8 +149,8 @@ fn asked(names: &[String], with: bool) -> Result<Vec<Asked>, Failure> {
     Ok(all)
 }
 
-fn status(options: &CheckOptions, reports: &[Report<Rational>]) -> Status {
-    let verdicts = || reports.iter().map(Report::verdict);
+fn status(options: &CheckOptions, reports: &[Judged]) -> Status {
+    let verdicts = || reports.iter().map(Judged::verdict);
     if options.is.is_empty() || verdicts().all(|v| v == Verdict::Proved) {
         Status::Proved
     } else if verdicts().any(|v| v == Verdict::Refuted) {
@@ -139,7 +164,7 @@ fn as_text(
     input: &Input,
     image: Option<&Input>,
     options: &CheckOptions,
-    reports: &[Report<Rational>],
+    reports: &[Judged],
 ) -> String {
     let topology = input.topology();
     let mut text = format!(
@@ -153,19 +178,19 @@ fn as_text(
     if let Some(image) = image {
         let _ = writeln!(text, "with {}; {}", image.file.name, reading(image));
     }
-    let width = reports.iter().map(|r| r.property.len() + 1).fold(15, usize::max);
+    let width = reports.iter().map(|r| r.report.property.len() + 1).fold(15, usize::max);
     let indent = width + 14;
-    for report in reports {
-        let verdict = match report.verdict() {
+    for judged in reports {
+        let report = &judged.report;
+        let verdict = match judged.verdict() {
             Verdict::Refuted => "REFUTED".to_owned(),
             verdict => verdict.to_string(),
         };
-        let _ = writeln!(
-            text,
-            "  {:<width$}{verdict:<12}{}",
-            report.property,
-            details(report, options)
-        );
+        let mut details = details(report, options);
+        if let Some(Ok((_, words))) = &judged.existence {
+            details = format!("verified again: {words}\n{:indent$}as printed {details}", "");
+        }
+        let _ = writeln!(text, "  {:<width$}{verdict:<12}{details}", report.property);
         if let Some(witness) = &report.worst {
             let failure = &witness.failure;
             let residual = match &failure.residual {
@@ -181,11 +206,14 @@ fn as_text(
                 words::defect(failure.defect)
             );
         }
+        if let Some(Err(why)) = &judged.existence {
+            let _ = writeln!(text, "{:indent$}the certificate is not verified: {why}", "");
+        }
         if let Some((element, reason)) = report.undefined.first() {
             let _ = writeln!(text, "{:indent$}undefined first at {element}: {reason}", "");
         }
     }
-    if options.input.read_as.is_none() && reports.iter().any(|r| r.consistent > 0) {
+    if options.input.read_as.is_none() && reports.iter().any(|r| r.report.consistent > 0) {
         text.push_str(WITHIN_THE_DIGITS);
     }
     text
@@ -273,7 +301,7 @@ fn as_json(
     input: &Input,
     image: Option<&Input>,
     options: &CheckOptions,
-    reports: &[Report<Rational>],
+    reports: &[Judged],
 ) -> Value {
     let topology = input.topology();
     let properties: Vec<Value> = reports.iter().map(report_json).collect();
@@ -296,7 +324,8 @@ fn as_json(
     report
 }
 
-fn report_json(report: &Report<Rational>) -> Value {
+fn report_json(judged: &Judged) -> Value {
+    let report = &judged.report;
     let worst = report.worst.as_ref().map(|witness| {
         let mut value = element_json(&witness.element);
         value["condition"] = json!(witness.failure.condition);
@@ -309,9 +338,9 @@ fn report_json(report: &Report<Rational>) -> Value {
         value["reason"] = json!(reason.to_string());
         value
     });
-    json!({
+    let mut value = json!({
         "property": report.property,
-        "verdict": report.verdict().name(),
+        "verdict": judged.verdict().name(),
         "checked": report.checked,
         "failed": report.failures.len(),
         "undefined": report.undefined.len(),
@@ -321,7 +350,13 @@ fn report_json(report: &Report<Rational>) -> Value {
         "worst": worst,
         "failures": report.failures.iter().map(element_json).collect::<Vec<_>>(),
         "undefined_at": undefined.collect::<Vec<_>>(),
-    })
+    });
+    match &judged.existence {
+        Some(Ok((radius, _))) => value["radius"] = json!(radius.to_string()),
+        Some(Err(why)) => value["not_verified"] = json!(why),
+        None => {}
+    }
+    value
 }
 
 fn element_json(element: &Element) -> Value {

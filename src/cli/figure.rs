@@ -16,7 +16,8 @@ use crate::mesh::file::write_whole;
 pub fn run(options: &FigureOptions, layout: Layout) -> Result<Status, Failure> {
     let figures = asked(&options.id)?;
     let kinds: Vec<Kind> = options.kinds.iter().map(|kind| (*kind).into()).collect();
-    let kinds = if kinds.is_empty() { Kind::ALL.to_vec() } else { kinds };
+    let built = Kind::ALL.into_iter().filter(|kind| kind.is_built());
+    let kinds = if kinds.is_empty() { built.collect() } else { kinds };
     let bar = output::slow_steps(figures.len(), "figures");
     let mut text = String::new();
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
@@ -100,6 +101,7 @@ impl From<FigureKind> for Kind {
             FigureKind::Json => Kind::Json,
             FigureKind::Svg => Kind::Svg,
             FigureKind::Pdf => Kind::Pdf,
+            FigureKind::Png => Kind::Png,
             FigureKind::Tikz => Kind::Tikz,
             FigureKind::Vtu => Kind::Vtu,
             FigureKind::Html => Kind::Html,

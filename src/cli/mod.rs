@@ -2,12 +2,15 @@
 
 mod accuracy;
 mod arguments;
+#[cfg(feature = "optimise")]
+mod certify;
 mod check;
 mod christoffel;
 mod claims;
 mod convert;
 mod curvature;
 mod dual;
+mod existence;
 mod failure;
 mod figure;
 mod gauss;
@@ -111,6 +114,8 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Triangulate(options) => triangulate::run(&options, layout),
         Command::Accuracy(options) => accuracy::run(&options, layout),
         Command::Claims(options) => claims::run(&options, layout),
+        #[cfg(feature = "optimise")]
+        Command::Certify(options) => certify::run(&options, layout),
         #[cfg(feature = "optimise")]
         Command::Optimize(options) => optimize::run(&options, layout),
         Command::Figure(options) => figure::run(&options, layout),

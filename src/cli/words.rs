@@ -1,5 +1,7 @@
 //! Counts and numbers in sentences for people.
 
+#[cfg(feature = "optimise")]
+use crate::scalar::Numeral;
 use crate::scalar::{Approx, Rational, Ring};
 
 /// A count with its noun: "1 face", "2 faces".
@@ -38,6 +40,14 @@ pub fn coordinate(number: &Rational) -> String {
         x if x.is_normal() || number.is_zero() => x.to_string(),
         _ => exact(number),
     }
+}
+
+/// An exact number in two decimal digits if they are all it has, else as it is.
+#[cfg(feature = "optimise")]
+pub fn radius(number: &Rational) -> String {
+    let short = format!("{:.1e}", number.to_f64());
+    let value = short.parse::<Numeral>().map(|short| short.value::<Rational>());
+    if value.is_ok_and(|value| value == *number) { short } else { exact(number) }
 }
 
 /// A size relative to its scale.

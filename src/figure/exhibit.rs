@@ -6,6 +6,7 @@ use super::Surface;
 use crate::check::{Decider, Verdict};
 use crate::mesh::VertexId;
 use crate::net::{Net, Property, RADIUS};
+use crate::pair::element::At;
 use crate::pair::{Couple, PairProperty};
 use crate::scalar::Rational;
 use crate::space::Point;
@@ -21,6 +22,8 @@ pub struct Exhibit {
     pub holds: Vec<Property>,
     /// What holds with another exhibit, by its name, as S.
     pub with: Vec<(&'static str, PairProperty)>,
+    /// The exhibit that is its Gauss image.
+    pub gauss: Option<&'static str>,
     /// What else the figure shows of it.
     pub shown: Vec<Remark>,
 }
@@ -54,7 +57,7 @@ impl fmt::Display for NotSo {
 impl Exhibit {
     /// A mesh of which nothing is said.
     pub fn new(name: &'static str, mesh: Surface) -> Self {
-        Exhibit { name, mesh, holds: Vec::new(), with: Vec::new(), shown: Vec::new() }
+        Exhibit { name, mesh, holds: Vec::new(), with: Vec::new(), gauss: None, shown: Vec::new() }
     }
 
     /// The same with properties of the mesh alone.
@@ -67,6 +70,22 @@ impl Exhibit {
     pub fn with(mut self, image: &'static str, properties: &[PairProperty]) -> Self {
         self.with.extend(properties.iter().map(|p| (image, *p)));
         self
+    }
+
+    /// The same with another exhibit as its Gauss image, and properties of the pair.
+    pub fn gauss(mut self, image: &'static str, properties: &[PairProperty]) -> Self {
+        self.gauss = Some(image);
+        self.with(image, properties)
+    }
+
+    /// The Gauss image, and where the pair has curvatures.
+    pub(super) fn curved(&self) -> Option<(&'static str, At)> {
+        let mut pairs = self.with.iter().filter(|(image, _)| Some(*image) == self.gauss);
+        pairs.find_map(|&(image, property)| match property {
+            PairProperty::FParallel => Some((image, At::Faces)),
+            PairProperty::VParallel => Some((image, At::Vertices)),
+            _ => None,
+        })
     }
 
     /// The same with a remark.

@@ -1,4 +1,7 @@
 //! Fig. 1: an architectural study.
+//!
+//! The mesh is an exact patch of an i-minimal surface, not one from optimisation: so it is i-minimal
+//! as it stands, which an optimised mesh near such a surface is not.
 
 use super::draw::{Color, Item, Model, Paint, Piece, Scene, Stroke, View, painted};
 use super::fig_08::bonnet_patch;
@@ -61,7 +64,7 @@ fn make() -> Result<Plate, NoFigure> {
     let exhibits = vec![
         Exhibit::new("roof", roof)
             .is(&[Property::Planar, Property::IIsothermic, Property::IMinimal])
-            .with("gauss", &[PairProperty::FParallel, PairProperty::IMinimal])
+            .gauss("gauss", &[PairProperty::FParallel, PairProperty::IMinimal])
             .with("lower", &[PairProperty::Parallel, PairProperty::FParallel]),
         Exhibit::new("lower", lower).is(&[Property::Planar]),
         Exhibit::new("gauss", gauss).is(&[Property::Planar, Property::Midscribed]),

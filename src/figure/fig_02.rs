@@ -52,7 +52,7 @@ fn make() -> Result<Plate, NoFigure> {
         Exhibit::new("mesh", mesh)
             .is(&[Property::Planar, Property::ICircular])
             .with("parallel", &[PairProperty::Parallel, PairProperty::FParallel])
-            .with("inscribed", &[PairProperty::Parallel, PairProperty::FParallel]),
+            .gauss("inscribed", &[PairProperty::Parallel, PairProperty::FParallel]),
         Exhibit::new("parallel", parallel).is(&[Property::Planar, Property::ICircular]),
         Exhibit::new("inscribed", image).is(&[Property::Planar, Property::Inscribed]),
     ];

@@ -29,14 +29,14 @@ fn make() -> Result<Plate, NoFigure> {
     let mesh = inverted_net(&f, &g, [(-3, 2), (-15, 2), (0, 1)], 64)?;
     let lifted = lift(&mesh);
     let centres = metric_dual(&lifted).map_err(NoFigure::of)?;
-    let mut scene = Scene::new(160.0, 84.0);
+    let mut scene = Scene::new(160.0, 71.0);
     let mut left = circumcircles(&mesh, CIRCLE)?;
     left.extend(top_view(&mesh));
-    scene.place(left, [2.0, 9.0], [76.0, 73.0]);
+    scene.place(left, [2.0, 9.0], [76.0, 60.0]);
     let mut right = circumcircles(&mesh, Stroke::new(Color::CIRCLE.mixed(Color::WHITE, 0.6), 0.1))?;
     right.extend(top_view(&centres));
     right.extend(dots(&centres));
-    scene.place(right, [82.0, 9.0], [76.0, 73.0]);
+    scene.place(right, [82.0, 9.0], [76.0, 60.0]);
     scene.text([40.0, 3.0], 3.0, Anchor::Middle, "i-circular");
     scene.text([120.0, 3.0], 3.0, Anchor::Middle, "i-conical");
     let circular = Exhibit::new("i-circular", mesh)

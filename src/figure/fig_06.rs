@@ -37,14 +37,14 @@ fn make() -> Result<Plate, NoFigure> {
         mesh.topology.faces().map(|face| face_circle(&mesh, face).ok().flatten()).collect();
     let faces = faces.ok_or(NoFigure::Construction("a face without a circle".into()))?;
     let vertices = vertex_circles(&mesh).unwrap_or_default();
-    let mut scene = Scene::new(160.0, 62.0);
+    let mut scene = Scene::new(160.0, 46.0);
     let mut left = top_view(&mesh);
     left.extend(circles(&faces, CIRCLE));
-    scene.place(left, [2.0, 4.0], [50.0, 56.0]);
+    scene.place(left, [2.0, 2.0], [50.0, 42.0]);
     let mut middle = circles(&vertices, OTHER);
     middle.extend(circles(&faces, CIRCLE));
-    scene.place(middle, [55.0, 4.0], [50.0, 56.0]);
-    scene.place(in_space(&mesh, &faces), [108.0, 4.0], [50.0, 56.0]);
+    scene.place(middle, [55.0, 2.0], [50.0, 42.0]);
+    scene.place(in_space(&mesh, &faces), [108.0, 2.0], [50.0, 42.0]);
     let exhibit = Exhibit::new("koebe", mesh).is(&[
         Property::Planar,
         Property::Midscribed,

@@ -39,14 +39,14 @@ fn make() -> Result<Plate, NoFigure> {
     scene.place(with_diagonals(&quad_dual, [OTHER, CIRCLE])?, [2.0, 2.0], [44.0, 29.0]);
     scene.place(with_incircles(&mesh)?, [50.0, 8.0], [53.0, 56.0]);
     scene.place(with_incircles(&mesh_dual)?, [105.0, 8.0], [53.0, 56.0]);
-    scene.text([78.0, 3.0], 3.0, Anchor::Middle, "S'");
-    scene.text([132.0, 3.0], 3.0, Anchor::Middle, "M'");
+    scene.text([77.0, 14.0], 3.0, Anchor::Middle, "S'");
+    scene.text([132.0, 14.0], 3.0, Anchor::Middle, "M'");
     let pair = |names: [&'static str; 2], mesh, dual| {
         let is = [Property::Planar, Property::IIsothermic];
         let pair = [PairProperty::FParallel, PairProperty::ChristoffelDual];
         [
-            Exhibit::new(names[0], mesh).is(&is).with(names[1], &pair),
-            Exhibit::new(names[1], dual).is(&is),
+            Exhibit::new(names[0], mesh).is(&is),
+            Exhibit::new(names[1], dual).is(&is).gauss(names[0], &pair),
         ]
     };
     let quads = pair(["quad", "quad-dual"], quad, quad_dual);

@@ -98,7 +98,7 @@ fn exhibits(
     const PLANAR: &str = "planar rows and columns";
     let surface = Exhibit::new(name, pair.surface)
         .is(&[Property::Planar, Property::IMinimal, Property::IIsothermic])
-        .with(gauss, &[PairProperty::FParallel, PairProperty::IMinimal])
+        .gauss(gauss, &[PairProperty::FParallel, PairProperty::IMinimal])
         .shows(PLANAR, planar);
     let gauss = Exhibit::new(gauss, pair.gauss)
         .is(&[Property::Planar, Property::Midscribed, Property::IIsothermic])

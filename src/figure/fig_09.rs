@@ -67,7 +67,7 @@ fn exhibits(
 ) -> [Exhibit; 2] {
     let surface = Exhibit::new(name, pair.surface)
         .is(&[Property::Planar, Property::IMinimal, Property::IIsothermic])
-        .with(gauss, &[PairProperty::VParallel])
+        .gauss(gauss, &[PairProperty::VParallel])
         .shows("face planes of rows and columns through points", concurrent);
     [surface, Exhibit::new(gauss, pair.gauss).is(&[Property::Planar, Property::Midscribed])]
 }

@@ -36,7 +36,7 @@ fn make() -> Result<Plate, NoFigure> {
     let trough = [(-5, 2), (-5, 4), (-1, 3), (1, 2), (3, 2), (8, 3), (17, 4)];
     let bowl = [(1, 8), (3, 4), (3, 2), (5, 2), (4, 1), (13, 2)];
     let [mean, gauss] = [constant_mean(&trough)?, constant_gauss(&bowl)?];
-    let mut scene = Scene::new(160.0, 60.0);
+    let mut scene = Scene::new(160.0, 48.0);
     let mut exhibits = Vec::new();
     let all = [
         ("minimal", "minimal-gauss", "H = 0", PairProperty::IMinimal, minimal, 0.5),
@@ -45,11 +45,11 @@ fn make() -> Result<Plate, NoFigure> {
     ];
     for (i, (name, image, label, property, pair, rise)) in all.into_iter().enumerate() {
         let x = 2.0 + 53.0 * i as f64;
-        scene.place(seen(solid(&pair.surface), [-3.0, -4.0, 3.4], rise), [x, 9.0], [50.0, 49.0]);
+        scene.place(seen(solid(&pair.surface), [-3.0, -4.0, 3.4], rise), [x, 9.0], [50.0, 37.0]);
         scene.text([x + 25.0, 3.0], 3.0, Anchor::Middle, label);
         let pair_properties = [PairProperty::FParallel, property];
         exhibits.push(
-            Exhibit::new(name, pair.surface).is(&[Property::Planar]).with(image, &pair_properties),
+            Exhibit::new(name, pair.surface).is(&[Property::Planar]).gauss(image, &pair_properties),
         );
         exhibits.push(Exhibit::new(image, pair.gauss).is(&[Property::Planar]));
     }

@@ -4,7 +4,10 @@ use super::draw::{Anchor, Color, Model, Paint, Scene, Stroke};
 use super::sheet::{seen, solid};
 use super::{Exhibit, Figure, NoFigure, Plate, Surface};
 use crate::construct::accuracy::vertex_curvatures;
+use crate::construct::lift;
 use crate::mesh::{FaceList, Mesh, VertexId};
+use crate::net::Property;
+use crate::pair::PairProperty;
 use crate::scalar::{Approx, Field, Ordered, Rational};
 use crate::space::{Graph, Jet2, Point, Polynomial, TopView};
 
@@ -41,10 +44,13 @@ fn make() -> Result<Plate, NoFigure> {
             scene.text([x + 2.0, y + 1.0], 2.8, Anchor::Start, format!("{label}, {what}"));
         }
     }
+    let lifted = lift(&mesh);
     let exhibits = vec![
         Exhibit::new("samples", mesh)
+            .gauss("lift", &[PairProperty::VParallel])
             .shows("H within 1/100", |mesh| close(mesh, 0, 100))
             .shows("K within 1/20", |mesh| close(mesh, 1, 20)),
+        Exhibit::new("lift", lifted).is(&[Property::Inscribed]),
         Exhibit::new("mean-curvature", mean),
         Exhibit::new("curvature", gauss),
         Exhibit::new("true-mean-curvature", true_mean),

@@ -10,7 +10,8 @@ pub fn gallery(figures: &[(&Figure, Plate)]) -> String {
     let mut page = String::from(
         "# Figures\n\nThe figures of Pottmann and Liu (2007), made anew: the parameters of the paper are \
          not known, so these are others. Every mesh is exact, and what a table says of it has been proved \
-         before the picture was drawn. All is written by \
+         before the picture was drawn. In each folder `fig-NN.json` says the same for programs, with \
+         circles and curvatures as exact numbers. All is written by \
          `isogeo figure all --out paper_figures --as json,svg`, and compared by the same with \
          `--check`.\n",
     );

@@ -18,6 +18,7 @@ mod fig_09;
 mod fig_10;
 mod fig_11;
 mod files;
+mod frozen;
 mod gallery;
 mod lines;
 mod nets;

@@ -18,10 +18,21 @@ pub enum NoFactor {
     NotPositive,
 }
 
+impl std::fmt::Display for NoFactor {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            NoFactor::OutOfMemory => "there is not enough memory",
+            NoFactor::NotPositive => "the matrix is not positive definite, as far as doubles tell",
+        })
+    }
+}
+
+impl std::error::Error for NoFactor {}
+
 /// The factor `L` of a positive definite matrix `L Lᵀ`.
 pub struct Cholesky {
-    symbolic: SymbolicCholesky<u32>,
-    values: Vec<f64>,
+    pub(super) symbolic: SymbolicCholesky<u32>,
+    pub(super) values: Vec<f64>,
     buffer: MemBuffer,
     size: usize,
 }

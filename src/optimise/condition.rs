@@ -1,6 +1,7 @@
 //! Conditions of a mesh to optimise: the residuals of the classes of mesh, with their derivatives.
 
 use super::gradient::Differentiable;
+use super::polynomial::Polynomial;
 use crate::mesh::VertexId;
 use crate::space::{Point, Vector3};
 
@@ -36,6 +37,11 @@ pub trait Conditions: Send + Sync {
         points: &[Point<f64>],
         gradient: &mut [Vector3<f64>],
     ) -> f64;
+
+    /// The function that shall vanish over other numbers, if it is a polynomial.
+    fn polynomial(&self) -> Option<Polynomial> {
+        None
+    }
 }
 
 /// The same residual at many places.
@@ -85,5 +91,9 @@ impl<R: Differentiable<K>, const K: usize> Conditions for Everywhere<R, K> {
         let (value, slopes) = self.residual.gradient(&self.corners(condition, points));
         gradient[..K].copy_from_slice(&slopes);
         value
+    }
+
+    fn polynomial(&self) -> Option<Polynomial> {
+        self.residual.polynomial()
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::cholesky::NoFactor;
 use super::compromise::Compromise;
-use super::energy::{Closeness, fairness};
+use super::energy::{Closeness, Shape, fairness};
 use super::frame::Frame;
 use super::report::{Ending, Stage, Step};
 use super::system::System;
@@ -29,6 +29,9 @@ pub struct Design {
     pub goal: Goal,
     /// The weight of fairness; closeness has 1.
     pub fairness: f64,
+    /// The weight of the shape, of the change of edges: it counts where the mesh is far from its goal, or
+    /// where there are other wishes.
+    pub shape: f64,
     /// A surface to be close to, instead of the mesh itself.
     pub target: Option<Arc<Target>>,
     /// How each vertex may move.
@@ -81,6 +84,7 @@ impl Design {
         Design {
             goal,
             fairness: 0.0,
+            shape: 10.0,
             target: None,
             mobility: vec![Mobility::Free; vertices],
             method: Method::Joint,
@@ -144,13 +148,14 @@ impl Design {
         frame: &Frame,
         log: &mut impl FnMut(&Step) -> bool,
     ) -> Result<Ending, NoFactor> {
-        let conditions = self.goal.conditions(topology, points);
-        let system = System::new(conditions);
-        if self.fairness > 0.0 || self.target.is_some() {
-            let stopped = self.compromise(topology, &system, points, frame, log)?;
+        let mut system = System::new(self.goal.conditions(topology, points));
+        let wishes = self.fairness > 0.0 || self.target.is_some();
+        if wishes || self.shape > 0.0 && self.is_far(&system, topology, points) {
+            let stopped = self.compromise(topology, points, frame, log)?;
             if stopped {
                 return Ok(Ending::Stopped);
             }
+            system = System::new(self.goal.conditions(topology, points));
         }
         if let (Method::TwoStage, Some(conditions)) =
             (self.method, self.goal.top_view_conditions(topology))
@@ -176,29 +181,42 @@ impl Design {
         Ok(projection.run(points, self.steps, Stage::Projection, log))
     }
 
+    /// Whether some condition is farther from holding than a part of an edge: then the shortest way to it may
+    /// lead through edges that vanish and faces that turn over.
+    fn is_far(&self, system: &System, topology: &Topology, points: &[Point<f64>]) -> bool {
+        const PART: f64 = 1.0 / 8.0;
+        let at = system.linearise(points, &self.mobility);
+        let worst = system.worst(&at.residuals);
+        worst.iter().any(|w| w.distance > PART * mean_edge(topology, points))
+    }
+
     /// Whether somebody stopped it.
     fn compromise(
         &self,
         topology: &Topology,
-        hard: &System,
         points: &mut Vec<Point<f64>>,
         frame: &Frame,
         log: &mut impl FnMut(&Step) -> bool,
     ) -> Result<bool, NoFactor> {
-        let mut energies: Vec<(Box<dyn Conditions>, f64)> = Vec::new();
+        let mut energies: Vec<(Box<dyn Conditions>, Option<f64>)> = Vec::new();
         if self.fairness > 0.0 {
             let weight = self.fairness.sqrt();
-            energies.extend(fairness(topology).into_iter().map(|kind| (kind, weight)));
+            energies.extend(fairness(topology).into_iter().map(|kind| (kind, Some(weight))));
+        }
+        if self.shape > 0.0 {
+            energies.push((Box::new(Shape::new(topology, points)), Some(self.shape.sqrt())));
         }
         match &self.target {
             Some(target) => {
                 let distance = VerticalDistance::new(target.clone(), *frame, points.len());
-                energies.push((Box::new(distance), 1.0));
+                energies.push((Box::new(distance), Some(1.0)));
             }
-            None => energies.push((Box::new(Closeness::new(points)), 1.0)),
+            None => energies.push((Box::new(Closeness::new(points)), Some(1.0))),
         }
         let soft = System::weighted(energies);
-        let mut compromise = Compromise::new(hard, &soft, &self.mobility)?;
+        let edge = mean_edge(topology, points);
+        let hard = System::weighted(self.goal.far_conditions(topology, points, edge));
+        let mut compromise = Compromise::new(&hard, &soft, &self.mobility)?;
         let mut number = 0;
         for level in 0..HARDNESSES {
             let hardness = 8f64.powi(level);
@@ -220,3 +238,10 @@ impl Design {
 /// From 1 to 8^7 conditions weigh more and more.
 const HARDNESSES: i32 = 8;
 const STEPS_OF_A_HARDNESS: usize = 3;
+
+/// The mean length of the edges of a mesh; 0 without edges.
+pub fn mean_edge(topology: &Topology, points: &[Point<f64>]) -> f64 {
+    let ends = |h| [topology.origin(h), topology.target(h)].map(|v| &points[v.index()]);
+    let lengths = topology.edges().map(ends).map(|[p, q]| (p - q).length2().sqrt());
+    lengths.sum::<f64>() / topology.edge_count().max(1) as f64
+}

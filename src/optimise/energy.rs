@@ -66,7 +66,7 @@ pub fn fairness(topology: &Topology) -> Vec<Box<dyn Conditions>> {
         let ends: Vec<VertexId> = star.iter().map(|&h| topology.target(h)).collect();
         let n = ends.len();
         match topology.kind(v) {
-            VertexKind::Interior if n % 2 == 0 => {
+            VertexKind::Interior if n.is_multiple_of(2) => {
                 straight.extend((0..n / 2).map(|i| [ends[i], v, ends[i + n / 2]]));
             }
             VertexKind::Interior => {
@@ -94,6 +94,61 @@ pub fn fairness(topology: &Topology) -> Vec<Box<dyn Conditions>> {
     }
     kinds.retain(|kind| !kind.is_empty());
     kinds
+}
+
+/// The change of each edge from what it was, along each axis: it is small where a mesh moves smoothly, and no
+/// edge vanishes.
+pub struct Shape {
+    edges: Vec<[VertexId; 2]>,
+    from: Vec<Vector3<f64>>,
+}
+
+impl Shape {
+    /// The shape of a mesh with these points.
+    pub fn new(topology: &Topology, points: &[Point<f64>]) -> Self {
+        let ends = |h| [topology.origin(h), topology.target(h)];
+        let edges: Vec<_> = topology.edges().map(ends).collect();
+        let from = edges.iter().map(|[a, b]| &points[b.index()] - &points[a.index()]).collect();
+        Shape { edges, from }
+    }
+}
+
+impl Conditions for Shape {
+    fn name(&self) -> &'static str {
+        "shape"
+    }
+
+    fn len(&self) -> usize {
+        3 * self.edges.len()
+    }
+
+    fn points(&self, condition: usize) -> &[VertexId] {
+        &self.edges[condition / 3]
+    }
+
+    fn value(&self, condition: usize, points: &[Point<f64>]) -> f64 {
+        let (edge, axis) = (condition / 3, condition % 3);
+        let [a, b] = self.edges[edge].map(|v| *points[v.index()].coordinates()[axis]);
+        let from = &self.from[edge];
+        (b - a) - [from.x, from.y, from.z][axis]
+    }
+
+    fn scale(&self, condition: usize, points: &[Point<f64>]) -> f64 {
+        let ends =
+            self.edges[condition / 3].map(|v| points[v.index()].coordinates()[condition % 3].abs());
+        2.0 * (ends[0] + ends[1])
+    }
+
+    fn linearise(
+        &self,
+        condition: usize,
+        points: &[Point<f64>],
+        gradient: &mut [Vector3<f64>],
+    ) -> f64 {
+        gradient[0] = unit(condition % 3, -1.0);
+        gradient[1] = unit(condition % 3, 1.0);
+        self.value(condition, points)
+    }
 }
 
 /// The displacement of each vertex from a place, along each axis.

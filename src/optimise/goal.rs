@@ -1,7 +1,8 @@
 //! What a mesh shall become, as conditions.
 
+use super::angle::{AnglesAround, AnglesInSpace, OppositeAngles};
 use super::condition::{Conditions, Everywhere};
-use super::gradient::{AnglesInSpace, Differentiable};
+use super::gradient::Differentiable;
 use crate::mesh::{FaceId, Topology, VertexId};
 use crate::net::Property;
 use crate::net::euclidean::{ConcyclicInSpace, ConcyclicNormals};
@@ -56,6 +57,39 @@ impl Goal {
             }
             Goal::Planar | Goal::Circular | Goal::Conical => None,
         }
+    }
+
+    /// The same conditions for a mesh that is far from the goal, with the lengths that their values are to be
+    /// multiplied by to be distances, where they are angles: so nothing is gained if edges shrink.
+    pub fn far_conditions(
+        self,
+        topology: &Topology,
+        points: &[Point<f64>],
+        edge: f64,
+    ) -> Vec<(Box<dyn Conditions>, Option<f64>)> {
+        let angles: Option<Box<dyn Conditions>> = match self {
+            Goal::ICircular => {
+                let (quads, _) = quads(topology);
+                Some(everywhere("concyclic", OppositeAngles, quads))
+            }
+            Goal::IConical => {
+                Some(everywhere("angle balance", AnglesAround, stars(topology, points).0))
+            }
+            Goal::Planar | Goal::Circular | Goal::Conical => None,
+        };
+        let replaced = angles.as_ref().map(|angles| angles.name());
+        let mut kinds: Vec<_> = self
+            .conditions(topology, points)
+            .into_iter()
+            .filter(|kind| Some(kind.name()) != replaced)
+            .map(|kind| (kind, None))
+            .collect();
+        if self == Goal::ICircular {
+            kinds.push((everywhere("concyclic", Concyclic, quads(topology).1), None));
+        }
+        kinds.extend(angles.map(|angles| (angles, Some(edge))));
+        kinds.retain(|(kind, _)| !kind.is_empty());
+        kinds
     }
 
     /// The conditions on the vertices, in kinds; those of planarity come first.
@@ -117,8 +151,20 @@ fn quadruples(face: &[VertexId]) -> impl Iterator<Item = [VertexId; 4]> + '_ {
     others.map(move |i| [face[base[0]], face[base[1]], face[base[2]], face[i]])
 }
 
+/// The quads, and the other faces by quadruples of corners.
+fn quads(topology: &Topology) -> (Vec<[VertexId; 4]>, Vec<[VertexId; 4]>) {
+    let (mut quads, mut others) = (Vec::new(), Vec::new());
+    for face in topology.faces().map(|f| topology.face(f)) {
+        match *face {
+            [a, b, c, d] => quads.push([a, b, c, d]),
+            _ => others.extend(quadruples(face)),
+        }
+    }
+    (quads, others)
+}
+
 /// Three of `n` numbers in a cycle, far apart.
-fn spread(n: usize) -> [usize; 3] {
+pub(super) fn spread(n: usize) -> [usize; 3] {
     if n == 4 { [0, 1, 2] } else { [0, n / 3, 2 * n / 3] }
 }
 

@@ -2,6 +2,7 @@
 
 use std::array::from_fn;
 
+use super::polynomial::Polynomial;
 use crate::check::{Residual, RootSum};
 use crate::net::euclidean::{ConcyclicInSpace, ConcyclicNormals};
 use crate::net::i_circular::Concyclic;
@@ -20,6 +21,11 @@ pub trait Differentiable<const K: usize>: Copy + Send + Sync {
 
     /// The value, and the derivatives by the coordinates of each point.
     fn gradient(self, points: &[Point<f64>; K]) -> (f64, [Vector3<f64>; K]);
+
+    /// The function over other numbers, if it is a polynomial.
+    fn polynomial(self) -> Option<Polynomial> {
+        None
+    }
 }
 
 /// The derivatives of a function by dual numbers: the generic formula runs once for each point.
@@ -65,7 +71,7 @@ fn sizes<const K: usize>(points: &[Point<f64>; K]) -> [Point<Magnitude<f64>>; K]
 
 /// Residuals whose derivatives come from dual numbers.
 macro_rules! by_dual_numbers {
-    ($($residual:ty, $k:literal;)*) => {$(
+    ($($residual:ident, $k:literal;)*) => {$(
         impl Differentiable<$k> for $residual {
             fn value(self, points: &[Point<f64>; $k]) -> f64 {
                 self.eval(points, &1.0)
@@ -78,6 +84,10 @@ macro_rules! by_dual_numbers {
             fn gradient(self, points: &[Point<f64>; $k]) -> (f64, [Vector3<f64>; $k]) {
                 by_dual_numbers(points, |p| self.eval(p, &Dual::constant(1.0)))
             }
+
+            fn polynomial(self) -> Option<Polynomial> {
+                Some(Polynomial::$residual(self))
+            }
         }
     )*};
 }
@@ -88,6 +98,10 @@ by_dual_numbers! {
 }
 
 impl Differentiable<4> for Coplanar {
+    fn polynomial(self) -> Option<Polynomial> {
+        Some(Polynomial::Coplanar(self))
+    }
+
     #[inline]
     fn value(self, points: &[Point<f64>; 4]) -> f64 {
         self.eval(points, &1.0)
@@ -108,6 +122,10 @@ impl Differentiable<4> for Coplanar {
 }
 
 impl Differentiable<4> for Concyclic {
+    fn polynomial(self) -> Option<Polynomial> {
+        Some(Polynomial::Concyclic(self))
+    }
+
     #[inline]
     fn value(self, points: &[Point<f64>; 4]) -> f64 {
         self.eval(points, &1.0)
@@ -138,6 +156,10 @@ impl Differentiable<4> for Concyclic {
 }
 
 impl Differentiable<5> for Balance {
+    fn polynomial(self) -> Option<Polynomial> {
+        Some(Polynomial::Balance(self))
+    }
+
     #[inline]
     fn value(self, points: &[Point<f64>; 5]) -> f64 {
         self.eval(points, &1.0)
@@ -192,52 +214,5 @@ impl Differentiable<12> for ConcyclicNormals {
             });
             terms.into_iter().fold(Dual::constant(0.0), |sum, term| sum + term)
         })
-    }
-}
-
-/// `ω₁ − ω₂ + ω₃ − ω₄` with the angles in space between consecutive edges from the first point to the others:
-/// zero iff the four planes touch a cone of revolution, where they do not fold.
-///
-/// The Euclidean counterpart of (14) for doubles (Y. Liu et al., *Geometric modeling with conical meshes
-/// and developable surfaces*, 2006): in flat meshes it keeps digits that determinants of normals lose.
-#[derive(Clone, Copy, Debug)]
-pub struct AnglesInSpace;
-
-impl Differentiable<5> for AnglesInSpace {
-    fn value(self, points: &[Point<f64>; 5]) -> f64 {
-        self.gradient(points).0
-    }
-
-    fn scale(self, _: &[Point<f64>; 5]) -> f64 {
-        std::f64::consts::TAU
-    }
-
-    /// An angle grows by `−t / |e|` if its side e moves, with the unit vector t at a right angle to e
-    /// towards the other side.
-    fn gradient(self, [v, x @ ..]: &[Point<f64>; 5]) -> (f64, [Vector3<f64>; 5]) {
-        let e: [Vector3<f64>; 4] = from_fn(|i| &x[i] - v);
-        let mut slopes = [Vector3::new(0.0, 0.0, 0.0); 5];
-        let mut value = 0.0;
-        for i in 0..4 {
-            let (j, sign) = ((i + 1) % 4, if i % 2 == 0 { 1.0 } else { -1.0 });
-            let normal = e[i].cross(&e[j]);
-            let sine = normal.length2().sqrt();
-            value += sign * sine.atan2(e[i].dot(&e[j]));
-            // n × e points from e to the other side, if n is the normal of both.
-            let towards = |e: &Vector3<f64>, n: &Vector3<f64>, sign: f64| {
-                let scale = -sign / (sine * e.length2());
-                if scale.is_finite() {
-                    n.cross(e).scaled(&scale)
-                } else {
-                    Vector3::new(0.0, 0.0, 0.0)
-                }
-            };
-            let moved = [(i, towards(&e[i], &normal, sign)), (j, towards(&e[j], &normal, -sign))];
-            for (k, slope) in moved {
-                slopes[1 + k] = &slopes[1 + k] + &slope;
-                slopes[0] = &slopes[0] - &slope;
-            }
-        }
-        (value, slopes)
     }
 }

@@ -86,7 +86,8 @@ impl NormalMatrix {
                     while rows[slot] < row {
                         slot += 1;
                     }
-                    column[slot] += own.dot(&at.gradients[other as usize]);
+                    let other = &at.gradients[other as usize];
+                    column[slot] += own.x * other.x + own.y * other.y + own.z * other.z;
                 }
             }
             column[0] += if at.free[i] { damping } else { 1.0 };

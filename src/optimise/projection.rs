@@ -87,13 +87,13 @@ impl<'a> Projection<'a> {
         gain: f64,
     ) -> Option<(Vec<Point<f64>>, Linearisation)> {
         let before = norm2(&at.residuals);
-        // After a step that gained much the matrix has changed little, and the last factor will do. Each
-        // step squares the distance: digits that would not be seen are not computed.
-        if gain < LITTLE_CHANGE
-            && let Some(y) = self.solve_by_iteration(at, gain.powi(2).max(f64::EPSILON.sqrt()))
-            && let Some(next) = self.shift(points, at, &y, before)
-        {
-            return Some(next);
+        // After a step that gained much the matrix has changed little, and the last factor may do again.
+        if self.is_factorised && gain < SMALL_GAIN {
+            let mut y = at.residuals.clone();
+            self.factor.solve(&mut y);
+            if let Some(next) = self.shift(points, at, &y, SMALL_GAIN * SMALL_GAIN * before) {
+                return Some(next);
+            }
         }
         loop {
             self.matrix.fill(self.system, at, self.damping);
@@ -113,20 +113,20 @@ impl<'a> Projection<'a> {
         }
     }
 
-    /// Moves along `−Jᵀ y`, as far as it makes the conditions better.
+    /// Moves along `−Jᵀ y`, as far as it brings the squares of the distances below a bound.
     fn shift(
         &mut self,
         points: &[Point<f64>],
         at: &Linearisation,
         y: &[f64],
-        before: f64,
+        bound: f64,
     ) -> Option<(Vec<Point<f64>>, Linearisation)> {
         let shift = self.system.transposed(at, y, points.len());
         // A shorter step where the whole one is too long for the linearisation.
         for part in [1.0, 0.5, 0.25, 0.125] {
             let moved = moved(points, &shift, -part);
             let after = norm2(&self.system.residuals(&moved, &at.lengths));
-            if after < before {
+            if after < bound {
                 if part == 1.0 {
                     self.damping = (self.damping / 16.0).max(f64::EPSILON);
                 }
@@ -136,52 +136,11 @@ impl<'a> Projection<'a> {
         }
         None
     }
-
-    /// Solves `(J Jᵀ + δ) y = r` by conjugate gradients, preconditioned by the last factor, to a part of
-    /// `|r|`. `None` without a factor, or if it is no longer close enough.
-    fn solve_by_iteration(&mut self, at: &Linearisation, accuracy: f64) -> Option<Vec<f64>> {
-        if !self.is_factorised {
-            return None;
-        }
-        let goal = accuracy * accuracy * norm2(&at.residuals);
-        let (mut y, mut rest) = (vec![0.0; at.residuals.len()], at.residuals.clone());
-        let mut direction: Vec<f64> = Vec::new();
-        let mut last = 1.0;
-        for _ in 0..MOST_ITERATIONS {
-            let mut better = rest.clone();
-            self.factor.solve(&mut better);
-            let weight = dot(&rest, &better);
-            if direction.is_empty() {
-                direction = better;
-            } else {
-                let part = weight / last;
-                direction.iter_mut().zip(better).for_each(|(d, b)| *d = b + part * *d);
-            }
-            last = weight;
-            let shift = self.system.transposed(at, &direction, self.mobility.len());
-            let mut image = self.system.times(at, &shift);
-            for ((image, d), free) in image.iter_mut().zip(&direction).zip(&at.free) {
-                *image += if *free { self.damping * d } else { *d };
-            }
-            let step = weight / dot(&direction, &image);
-            y.iter_mut().zip(&direction).for_each(|(y, d)| *y += step * d);
-            rest.iter_mut().zip(&image).for_each(|(r, i)| *r -= step * i);
-            if norm2(&rest) <= goal {
-                return Some(y);
-            }
-        }
-        None
-    }
 }
 
-/// What a step has to leave of the distance for the last factor to be used again.
-const LITTLE_CHANGE: f64 = 1.0 / 256.0;
-/// How many conjugate gradients are still cheaper than a factor.
-const MOST_ITERATIONS: usize = 8;
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
+/// What a step has to leave of the distances for the last factor to be used again: solving is so much
+/// cheaper than a new factor.
+const SMALL_GAIN: f64 = 1.0 / 8.0;
 
 /// What is left of a distance when coordinates are rounded.
 fn rounding(points: &[Point<f64>]) -> f64 {

@@ -15,7 +15,7 @@ pub struct System {
     kinds: Vec<Box<dyn Conditions>>,
     /// What the rows of each kind are multiplied by; without, they are divided by the lengths of
     /// their gradients.
-    weights: Option<Vec<f64>>,
+    weights: Vec<Option<f64>>,
     /// `places[starts[i]..starts[i + 1]]` are the points of row `i`.
     starts: Vec<u32>,
     places: Vec<VertexId>,
@@ -41,17 +41,13 @@ const CHUNK: usize = 512;
 impl System {
     /// The system of some kinds of conditions that shall hold.
     pub fn new(kinds: Vec<Box<dyn Conditions>>) -> Self {
-        System::of(kinds, None)
+        System::weighted(kinds.into_iter().map(|kind| (kind, None)).collect())
     }
 
-    /// The system of some kinds of conditions that shall hold as far as others let them, each with a
-    /// weight: its rows are multiplied by it.
-    pub fn weighted(kinds: Vec<(Box<dyn Conditions>, f64)>) -> Self {
-        let (kinds, weights) = kinds.into_iter().unzip();
-        System::of(kinds, Some(weights))
-    }
-
-    fn of(kinds: Vec<Box<dyn Conditions>>, weights: Option<Vec<f64>>) -> Self {
+    /// The system of some kinds of conditions, those with a weight as they are: their rows are multiplied
+    /// by it.
+    pub fn weighted(kinds: Vec<(Box<dyn Conditions>, Option<f64>)>) -> Self {
+        let (kinds, weights): (Vec<_>, _) = kinds.into_iter().unzip();
         let (mut starts, mut places) = (vec![0], Vec::new());
         for kind in &kinds {
             for condition in 0..kind.len() {
@@ -95,7 +91,7 @@ impl System {
         let (mut residuals, mut lengths) = (vec![0.0; self.rows()], vec![0.0; self.rows()]);
         let mut free = vec![false; self.rows()];
         for (index, (kind, rows)) in self.kinds().enumerate() {
-            let weight = self.weights.as_ref().map(|weights| weights[index]);
+            let weight = self.weights[index];
             let at = self.starts[rows.start] as usize..self.starts[rows.end] as usize;
             let width = at.len() / rows.len().max(1);
             let first = rows.start;

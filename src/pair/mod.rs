@@ -22,6 +22,7 @@ mod cleared;
 mod cotangent;
 mod curvature;
 mod edge;
+pub(crate) mod element;
 mod exact;
 mod f_parallel;
 mod face;

@@ -13,7 +13,8 @@
 //! | [`Residue`] | ℤ/2^(64 W): zero tests under a bound | no | yes |
 //! | [`Symbol`] | unknowns: what was done is recorded, then decided | by shadow | yes |
 //! | `f64` | doubles | yes | no |
-//! | [`Ball`] | rigorous enclosures, over `f64` or `BigInt` | where disjoint | no |
+//! | [`DoubleDouble`] | pairs of doubles: 106 bits | yes | no |
+//! | [`Ball`] | rigorous enclosures, over `f64`, `DoubleDouble` or `BigInt` | where disjoint | no |
 //! | [`Variation`] | a value and its change within a box | no | no |
 //! | [`Magnitude`] | sizes without cancellation | – | no |
 //!
@@ -22,6 +23,7 @@
 
 mod ball;
 mod bounded;
+mod double_double;
 mod dual;
 mod float;
 mod fraction;
@@ -43,6 +45,7 @@ mod wide;
 
 pub use ball::{Ball, Midpoint};
 pub use bounded::{Bounded, Narrow};
+pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use fraction::Fraction;
 pub use linear::{Echelon, LinearSystem, NoSuchUnknown};

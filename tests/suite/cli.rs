@@ -1,5 +1,7 @@
 //! The program, run as its users run it: what every command prints, kept as snapshots.
 
+#[cfg(feature = "optimise")]
+mod certify;
 mod claims;
 mod contract;
 mod curvature;
@@ -7,7 +9,10 @@ mod damage;
 mod invariance;
 mod koebe;
 mod make;
+#[cfg(feature = "optimise")]
+mod optimize;
 mod pairs;
+mod png;
 mod samples;
 mod shell;
 mod spheres;

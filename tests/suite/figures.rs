@@ -1,13 +1,14 @@
 //! Figures: the painter's order against a z-buffer, files against what is committed.
 
-use isogeo::figure::Figure;
 use isogeo::figure::draw::{
     Color, Item, Model, Paint, Piece, Scene, Stroke, View, painted, svg, tikz,
 };
+use isogeo::figure::{Figure, Kind, Plate};
 use isogeo::mesh::VertexId;
 use isogeo::net::Property;
-use isogeo::pair::PairProperty;
+use isogeo::pair::{Curvatures, FParallel, PairProperty, VParallel};
 use isogeo::scalar::{Rational, Ring};
+use serde_json::{Value, json};
 
 const INK: Stroke = Stroke::new(Color::INK, 0.1);
 
@@ -107,6 +108,45 @@ fn what_is_nearer_is_painted_later() -> Result<(), String> {
     Ok(())
 }
 
+/// The graph of a wave that hides itself, its highest line marked.
+fn wave() -> Model {
+    let at = |i: i32, j: i32| {
+        let (x, y) = (f64::from(i) / 5.0 - 1.1, f64::from(j) / 5.0 - 1.1);
+        [x, y, (1.0 - 3.0 * y * y) * y * y * 2.0 + x / 4.0]
+    };
+    let mut model = Model::default();
+    for (i, j) in (0..11).flat_map(|i| (0..11).map(move |j| (i, j))) {
+        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        for corners in [[a, b, c], [a, c, d]] {
+            model.pieces.push(triangle(corners, model.pieces.len() as u8));
+        }
+    }
+    model.add_line((0..12).map(|i| at(i, 3)), INK);
+    model
+}
+
+#[test]
+fn what_goes_through_nothing_is_painted_whole() -> Result<(), String> {
+    for viewer in [[3.0, -5.0, 3.0], [1.0, -5.0, 1.0], [-1.0, 4.0, 2.0], [0.0, -1.0, 4.0]] {
+        let (model, view) = (wave(), View::from(viewer));
+        let items = painted(&model, &view);
+        assert_eq!(items.len(), model.pieces.len());
+        assert!(compare(&model, &view, &items)? > 300);
+        // No face that has an edge on the marked line is painted after it.
+        for (number, item) in items.iter().enumerate() {
+            let Item::Polyline { points, .. } = item else { continue };
+            let covers = |item: &Item| {
+                matches!(item, Item::Polygon { corners, .. }
+                if points.iter().all(|p| corners.contains(p)))
+            };
+            let places = items.iter().enumerate().filter(|(_, item)| covers(item));
+            assert_eq!(places.clone().count(), 2);
+            assert!(places.map(|(place, _)| place).max() < Some(number), "{viewer:?}");
+        }
+    }
+    Ok(())
+}
+
 #[test]
 fn the_raster_notices_a_wrong_order() {
     let model = pierced(1);
@@ -158,6 +198,73 @@ fn the_refusal_names_what_is_wrong() {
     assert_eq!(found, Err("enneper: flat is refuted".into()));
 }
 
+/// The facts of a figure, as they are written.
+fn facts(number: u8) -> (Plate, Value) {
+    let figure = Figure::ALL.iter().find(|f| f.number == number).expect("a figure");
+    let plate = figure.plate().expect("a plate");
+    let (_, text) = figure.files(&plate, Kind::Json).expect("files").pop().expect("the facts");
+    (plate, serde_json::from_slice(&text).expect("JSON"))
+}
+
+#[test]
+fn facts_give_the_curvatures_of_pairs() {
+    let mut found = Vec::new();
+    for number in 1..=11 {
+        let (plate, facts) = facts(number);
+        for (exhibit, facts) in
+            plate.exhibits.iter().zip(facts["meshes"].as_array().expect("meshes"))
+        {
+            let list = &facts["curvatures"];
+            assert_eq!(exhibit.gauss.is_some(), list.is_object(), "{}", exhibit.name);
+            let Some(gauss) = exhibit.gauss else { continue };
+            let image = plate.exhibits.iter().find(|e| e.name == gauss).expect("an image");
+            let (mesh, image, at) =
+                (&exhibit.mesh, &image.mesh, list["at"].as_str().expect("a place"));
+            // By the definitions, on a pair that checks itself.
+            let expected: Vec<_> = if at == "faces" {
+                let pair = FParallel::new(mesh, image).expect("a pair");
+                let all = mesh
+                    .topology
+                    .faces()
+                    .map(|f| pair.face_curvatures(f).map_err(|e| e.to_string()));
+                all.collect()
+            } else {
+                let pair = VParallel::new(mesh, image).expect("a pair");
+                let all = (0..mesh.points.len() as u32).map(VertexId);
+                all.map(|v| pair.vertex_curvatures(v).map_err(|e| e.to_string())).collect()
+            };
+            let values = list["values"].as_array().expect("values");
+            assert_eq!(values.len(), expected.len());
+            for (value, expected) in values.iter().zip(&expected) {
+                match expected {
+                    Ok(Curvatures { mean, gauss }) => {
+                        assert_eq!(
+                            (&value["H"], &value["K"]),
+                            (&json!(mean.to_string()), &json!(gauss.to_string()))
+                        );
+                    }
+                    Err(reason) => assert_eq!(value["undefined"], json!(reason)),
+                }
+            }
+            let defined = values.iter().filter(|v| v["H"].is_string()).count();
+            found.push(format!("{number} {} {at} {defined}/{}", exhibit.name, values.len()));
+        }
+    }
+    insta::assert_snapshot!(found.join("\n"));
+}
+
+#[test]
+fn the_diagrams_of_figure_11_show_its_facts() {
+    let (plate, facts) = facts(11);
+    let values = facts["meshes"][0]["curvatures"]["values"].as_array().expect("values");
+    for (name, key) in [("mean-curvature", "H"), ("curvature", "K")] {
+        let diagram = &plate.exhibits.iter().find(|e| e.name == name).expect("a diagram").mesh;
+        let heights: Vec<String> = diagram.points.iter().map(|p| p.z.to_string()).collect();
+        let listed: Vec<&str> = values.iter().filter_map(|v| v[key].as_str()).collect();
+        assert_eq!(heights, listed);
+    }
+}
+
 #[test]
 fn figures_come_in_the_order_of_the_paper() {
     let numbers: Vec<u8> = Figure::ALL.iter().map(|figure| figure.number).collect();
@@ -172,11 +279,11 @@ fn figures_come_in_the_order_of_the_paper() {
 
 #[test]
 fn few_faces_are_cut() {
-    // Planes of thin parts instead of those of their faces cut these 154 hexagons again and again.
+    // Of these 154 hexagons only those at the gap of the left mesh go through each other.
     let plate = Figure::ALL.iter().find(|f| f.number == 10).and_then(|f| f.plate().ok());
     let items = plate.expect("figure 10").scene.items;
     let pieces = items.iter().filter(|item| matches!(item, Item::Polygon { .. })).count();
-    assert!((154..400).contains(&pieces), "{pieces} pieces");
+    assert!((154..200).contains(&pieces), "{pieces} pieces");
 }
 
 #[test]

@@ -9,6 +9,8 @@ mod elimination;
 mod examples;
 mod figures;
 mod files;
+#[cfg(feature = "optimise")]
+mod frozen;
 mod house;
 mod incircles;
 mod linear_space;
@@ -18,9 +20,12 @@ mod nets;
 mod optimise;
 mod pages;
 mod pairs;
+#[cfg(feature = "png")]
+mod png;
 mod scalars;
 mod space;
 mod subdivision;
 mod topology;
 mod transfer;
 mod triangulate;
+mod vtu;

@@ -4,6 +4,7 @@
 mod agreement;
 mod balls;
 mod derivatives;
+mod double_doubles;
 mod expression;
 mod laws;
 mod liar;

@@ -20,7 +20,7 @@ pub struct FigureOptions {
     /// The folder for the figures
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// What to write, separated by commas [default: all]
+    /// What to write, separated by commas [default: all that this build has]
     #[arg(long = "as", value_enum, value_name = "KIND", value_delimiter = ',')]
     pub kinds: Vec<FigureKind>,
     /// Write nothing: compare with what is there
@@ -31,12 +31,14 @@ pub struct FigureOptions {
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FigureKind {
-    /// The exact meshes, .iso.json
+    /// The exact meshes, .iso.json, and what is said of them, with H and K
     Json,
     /// The picture for pages
     Svg,
     /// The picture for LaTeX and for print
     Pdf,
+    /// The picture at 300 dots per inch; for builds with the feature png
+    Png,
     /// The picture as a LaTeX source
     Tikz,
     /// The meshes for ParaView

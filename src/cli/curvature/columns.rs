@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::element::Row;
-use crate::cli::arguments::{At, Layout};
+use super::row::Row;
+use crate::cli::arguments::Layout;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 use crate::cli::output;
 use crate::mesh::file::{self, Format, Options};
 use crate::net::{Net, Property};
+use crate::pair::element::At;
 use crate::scalar::{Numeral, Rational, Ring};
 
 /// H, K and whether they are defined, of every element.

@@ -1,8 +1,8 @@
 //! `isogeo curvature`: H and K at faces (17) or at vertices (22), exactly.
 
 mod columns;
-mod element;
 mod report;
+mod row;
 mod summary;
 
 use std::path::Path;
@@ -10,7 +10,7 @@ use std::path::Path;
 use rayon::prelude::*;
 use serde_json::json;
 
-use super::arguments::{At, CurvatureOptions, Layout};
+use super::arguments::{self, CurvatureOptions, Layout};
 use super::failure::Failure;
 use super::input::{self, Input};
 use super::{Status, output, words};
@@ -19,11 +19,12 @@ use crate::construct::{NoGaussImage, circumscribed_f_parallel};
 use crate::mesh::ExactPoints;
 use crate::mesh::file::{Coordinates, Format};
 use crate::net::{Net, Property};
+use crate::pair::element::{At, Elements};
 use crate::pair::{Couple, ExactPair, PairProperty};
 use crate::scalar::Rational;
 use columns::Columns;
-use element::{Elements, Row};
 use report::Report;
+use row::{Row, entry};
 
 /// Computes, prints the report, writes the mesh with its curvatures.
 pub fn run(options: &CurvatureOptions, layout: Layout) -> Result<Status, Failure> {
@@ -36,7 +37,7 @@ pub fn run(options: &CurvatureOptions, layout: Layout) -> Result<Status, Failure
         ));
     }
     let input = input::read(&options.input)?;
-    match (&options.gauss, options.at) {
+    match (&options.gauss, options.at.into()) {
         (Some(path), at) => {
             let image = input::read_image(path, &options.input, &input)?;
             let pair = ExactPair::new(input.topology(), points(&input), points(&image));
@@ -161,7 +162,7 @@ fn judge(
     let exact = file.and_then(Format::from_path) == Some(Format::IsoJson);
     let row = |index: usize| {
         let found = elements.find(index);
-        let json = layout.is_json().then(|| elements.json(index, &found, options.integrated));
+        let json = layout.is_json().then(|| entry(elements, index, &found, options.integrated));
         Row::new(found, json, exact)
     };
     let mut report = Report::new(elements.at, remark);
@@ -191,4 +192,13 @@ fn judge(
         columns.write(path, input, elements.at, layout)?;
     }
     Ok(Status::Proved)
+}
+
+impl From<arguments::At> for At {
+    fn from(at: arguments::At) -> At {
+        match at {
+            arguments::At::Faces => At::Faces,
+            arguments::At::Vertices => At::Vertices,
+        }
+    }
 }

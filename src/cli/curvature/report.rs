@@ -6,11 +6,11 @@ use std::path::Path;
 
 use serde_json::json;
 
-use super::element::{Short, Undefined};
+use super::row::Short;
 use super::summary::Summary;
-use crate::cli::arguments::At;
 use crate::cli::input::Input;
 use crate::cli::words;
+use crate::pair::element::{At, Undefined};
 
 /// What is said of all elements together.
 pub struct Report {
@@ -75,13 +75,9 @@ impl Report {
 
     /// All that comes before the values: the list is as long as the mesh and printed as it comes.
     pub fn json_head(&self, input: &Input, image: &str, output: Option<&Path>) -> String {
-        let at = match self.at {
-            At::Faces => "faces",
-            At::Vertices => "vertices",
-        };
         let schema = json!("isogeo.curvature/1");
         let head = json!({
-            "at": at,
+            "at": self.at.name(),
             "file": input.file.name,
             "image": image,
             "output": output.map(|path| path.display().to_string()),

@@ -2,8 +2,11 @@
 
 mod color;
 mod model;
+mod order;
 mod painter;
 mod pdf;
+#[cfg(feature = "png")]
+mod png;
 mod scene;
 mod svg;
 mod tikz;
@@ -13,6 +16,8 @@ pub use color::Color;
 pub use model::{Model, Paint, Piece};
 pub use painter::painted;
 pub use pdf::pdf;
+#[cfg(feature = "png")]
+pub use png::png;
 pub use scene::{Anchor, Item, Scene, Stroke};
 pub(super) use svg::escaped;
 pub use svg::svg;

@@ -1,16 +1,26 @@
 //! The painter's order: what is nearer is painted later, whatever the model.
 //!
-//! The planes of faces cut space in two, again and again (a binary space partition); pieces on the
-//! side of the viewer are painted after those on the other. This is right also for several sheets
-//! over one top view and for meshes that go through each other, since faces are cut where they have to be.
+//! Pieces that cover each other in no circle are painted whole. In the other groups the planes of faces
+//! cut space in two, again and again (a binary space partition); pieces on the side of the viewer are
+//! painted after those on the other. This is right also for meshes that go through each other, since
+//! faces are cut where they have to be.
 
+use super::order::groups;
 use super::view::dot;
 use super::{Item, Model, Paint, Piece, Scene, Stroke, View};
 
 /// The pieces of a model as items of a scene, in the order in which they have to be painted.
 pub fn painted(model: &Model, view: &View) -> Vec<Item> {
     let size = model.points().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
-    let parts: Vec<Part> = model.pieces.iter().cloned().map(Part::whole).collect();
+    let pieces = groups(&model.pieces, view, size).into_iter().flat_map(|group| {
+        let parts = group.iter().map(|&i| Part::whole(model.pieces[i].clone()));
+        partition(parts.collect(), view, size)
+    });
+    pieces.flat_map(|part| items(&part.piece, view)).collect()
+}
+
+/// The parts of a group in the order in which they have to be painted.
+fn partition(parts: Vec<Part>, view: &View, size: f64) -> Vec<Part> {
     let mut ordered = Vec::with_capacity(parts.len());
     // What remains to be ordered, the farthest last; a set that is in order is marked.
     let mut stack = vec![(parts, false)];
@@ -32,7 +42,7 @@ pub fn painted(model: &Model, view: &View) -> Vec<Item> {
         stack.push((on, true));
         stack.push((far, false));
     }
-    ordered.iter().flat_map(|part| items(&part.piece, view)).collect()
+    ordered
 }
 
 fn points(piece: &Piece) -> Vec<[f64; 3]> {
@@ -123,7 +133,7 @@ impl Plane {
 }
 
 /// What is this part of the model's size in front of something else or behind it, is not seen.
-const UNSEEN: f64 = 4096.0;
+pub(super) const UNSEEN: f64 = 4096.0;
 
 /// How far points with these signed distances reach to both sides.
 fn reach(sides: &[f64]) -> (f64, f64) {

@@ -86,7 +86,7 @@ impl Place {
 
 impl FileError {
     /// An error without a place in a text.
-    pub(super) fn new(kind: &str, format: &str, file: &str, message: impl Into<String>) -> Self {
+    pub(crate) fn new(kind: &str, format: &str, file: &str, message: impl Into<String>) -> Self {
         FileError {
             code: format!("isogeo::{format}::{kind}").into(),
             message: message.into(),
@@ -98,7 +98,7 @@ impl FileError {
     }
 
     /// The same error with advice.
-    pub(super) fn help(mut self, help: impl Into<String>) -> Self {
+    pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }

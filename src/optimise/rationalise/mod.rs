@@ -28,10 +28,10 @@
 //! | --- | --- | --- | --- | --- |
 //! | planar | n × n quads, n = 10, 30, 100 | 100, 900, 10 000 | 211, 583, 1 758 | 0.003, 0.03, 0.6 |
 //! | planar | hexagons | 360 | 148 | 0.02 |
-//! | planar | 4, 8, 12 rings of 40 quads | 160, 320, 480 | 2 642, 7 913, 11 932 | 0.5, 2, 5 |
-//! | planar | closed, parallelograms | 20, 90, 210 | 803, 3 030, 5 080 | 0.01, 0.3, 2 |
-//! | i-circular | n × n quads, n = 10, 20, 30, 40 | 100 … 1 600 | 1 168, 3 899, 9 618, 15 807 | 0.006, 0.05, 0.3, 0.9 |
-//! | i-conical | n × n quads, n = 10, 20, 30, 40 | 100 … 1 600 | 1 350, 4 548, 9 009, 18 345 | 0.007, 0.06, 0.3, 1.7 |
+//! | planar | 4, 8, 12 rings of 40 quads | 160, 320, 480 | 2 642, 7 913, 11 932 | 0.9, 4, 13 |
+//! | planar | closed, parallelograms | 20, 90, 210 | 803, 3 030, 5 080 | 0.03, 0.7, 5 |
+//! | i-circular | n × n quads, n = 10, 20, 30, 40 | 100 … 1 600 | 1 168, 3 899, 9 618, 15 807 | 0.007, 0.05, 0.2, 0.7 |
+//! | i-conical | n × n quads, n = 10, 20, 30, 40 | 100 … 1 600 | 1 350, 4 548, 9 009, 18 345 | 0.007, 0.06, 0.3, 1.9 |
 
 mod circular;
 mod conical;
@@ -88,34 +88,35 @@ const BITS: [i32; 8] = [12, 16, 20, 24, 28, 32, 40, 48];
 
 /// The first attempt that is near enough, or else the nearest.
 ///
-/// Distances are taken to halve with every bit, so that few attempts are made.
+/// Distances are taken to halve with every bit, so that few attempts are made; after three that do not halve
+/// the distance there are no more.
 fn nearest(
     mesh: &Mesh<f64>,
     options: &Options,
     attempt: impl Fn(i32) -> Result<Vec<Point<Rational>>, NoExactMesh>,
 ) -> Result<Rationalised, NoExactMesh> {
     let attempt = |bits| Rationalised::new(mesh, attempt(bits)?).of_at_most(options.most_bits);
-    let mut best: Result<Rationalised, NoExactMesh> = attempt(BITS[0]);
-    let mut next = BITS[0];
+    let distance = |found: &Result<Rationalised, NoExactMesh>| {
+        found.as_ref().map_or(f64::INFINITY, |found| found.movement.largest)
+    };
+    let mut best = attempt(BITS[0]);
+    let (mut last, mut in_vain) = ((BITS[0], distance(&best)), 0);
     for &bits in &BITS[1..] {
-        let reached = match &best {
-            Ok(found) if found.movement.largest > options.within => found.movement.largest,
-            // It may be so by coarse rounding.
-            Err(reason) if reason.why == Obstacle::Degenerate => f64::INFINITY,
-            _ => break,
-        };
-        let is_enough = 2f64.powi(next - bits) * reached <= options.within;
-        if best.is_ok() && !is_enough && bits < BITS[BITS.len() - 1] {
+        let reached = distance(&best);
+        // What is degenerate may be so by coarse rounding.
+        let is_final = best.as_ref().is_err_and(|reason| reason.why != Obstacle::Degenerate);
+        if is_final || reached <= options.within || in_vain == 3 {
+            break;
+        }
+        let expected = last.1 * 2f64.powi(last.0 - bits);
+        if expected.is_finite() && expected > options.within && bits < BITS[BITS.len() - 1] {
             continue;
         }
-        let found = attempt(bits);
-        next = bits;
-        let distance = found.as_ref().map_or(f64::INFINITY, |found| found.movement.largest);
-        if distance < reached || best.is_err() {
-            best = found;
-        }
-        if best.is_ok() && distance > reached / 2.0 {
-            break;
+        let next = attempt(bits);
+        let found = distance(&next);
+        (last, in_vain) = ((bits, found), if found <= reached / 2.0 { 0 } else { in_vain + 1 });
+        if found < reached || best.is_err() {
+            best = next;
         }
     }
     best

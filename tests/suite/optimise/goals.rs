@@ -8,7 +8,7 @@ use isogeo::optimise::{Design, Designed, Ending, Goal, Method, Mobility, Movemen
 use isogeo::space::Point;
 
 /// A patch of `n` by `n` quads over a surface with both kinds of curvature, all of its coordinates disturbed.
-fn patch(n: usize) -> Mesh<f64> {
+pub fn patch(n: usize) -> Mesh<f64> {
     let point = |i: usize, j: usize| {
         let (x, y) = (i as f64 / n as f64, j as f64 / n as f64);
         let wobble = |k: usize| 0.02 / n as f64 * ((7 * i + 13 * j + 5 * k) as f64 * 2.399).sin();
@@ -19,7 +19,7 @@ fn patch(n: usize) -> Mesh<f64> {
     Mesh::new(points.collect(), quad_patch(n, n)).expect("a patch is a mesh")
 }
 
-fn run(design: &Design, mesh: &Mesh<f64>) -> Designed {
+pub fn run(design: &Design, mesh: &Mesh<f64>) -> Designed {
     design.run(mesh, |_| true).expect("memory suffices")
 }
 
@@ -51,14 +51,12 @@ fn a_patch_reaches_every_goal() {
     }
 }
 
-/// Hexagons, triangles and quads in one mesh, and vertices of 3 and of 5 faces.
-#[test]
-fn faces_of_any_size_and_vertices_of_any_valence() {
-    // A pentagonal star of quads about vertex 0, with a hexagon and a triangle attached.
+/// A pentagonal star of quads about vertex 0, with a pentagon and a triangle attached, over a function.
+pub fn star(height: impl Fn(f64, f64) -> f64) -> Mesh<f64> {
     let ring = |r: f64, k: f64| {
         let angle = std::f64::consts::TAU * k / 10.0;
         let (x, y) = (r * angle.cos(), r * angle.sin());
-        Point::new(x, y, 0.3 * x * y + 0.1 * x * x * y - 0.2 * y * y)
+        Point::new(x, y, height(x, y))
     };
     let mut points = vec![ring(0.0, 0.0)];
     points.extend((0..5).map(|k| ring(1.0, 2.0 * f64::from(k))));
@@ -70,7 +68,13 @@ fn faces_of_any_size_and_vertices_of_any_valence() {
     }
     faces.push([1, 11, 12, 13, 6]);
     faces.push([2, 6, 13]);
-    let mesh = Mesh::new(points, faces).expect("a mesh");
+    Mesh::new(points, faces).expect("a mesh")
+}
+
+/// Pentagons, triangles and quads in one mesh, and vertices of 3 and of 5 faces.
+#[test]
+fn faces_of_any_size_and_vertices_of_any_valence() {
+    let mesh = star(|x, y| 0.3 * x * y + 0.1 * x * x * y - 0.2 * y * y);
     for goal in [Goal::Planar, Goal::ICircular, Goal::IConical, Goal::Conical] {
         let found = run(&Design::new(goal, mesh.points.len()), &mesh);
         assert_eq!(found.ending, Ending::Converged, "{goal:?}: {:?}", found.steps.last());

@@ -247,7 +247,7 @@ fn zonohedron(n: u32) -> Mesh<f64> {
     };
     let (mut names, mut points) = (BTreeMap::new(), Vec::new());
     let mut sum = |from: u32, count: u32| {
-        let key = if count % n == 0 { (0, count) } else { (from % n, count) };
+        let key = if count.is_multiple_of(n) { (0, count) } else { (from % n, count) };
         *names.entry(key).or_insert_with(|| {
             let parts = (from..from + count).map(vector);
             let [x, y, z] = parts.fold([0.0; 3], |s, v| [s[0] + v[0], s[1] + v[1], s[2] + v[2]]);
@@ -377,19 +377,24 @@ proptest! {
 
     /// Random i-circular nets, and their duals, come back.
     #[test]
-    fn random_nets(mesh in circular(), within in 1e-6f64..1e-2) {
+    fn random_nets(mesh in circular(), factor in 1f64..1e4) {
         let doubles = mesh.map(Approx::to_f64);
-        let options = Options { within, ..Options::of(&doubles.points) };
+        let near = |points| {
+            let options = Options::of(points);
+            Options { within: factor * options.within, ..options }
+        };
+        let options = near(&doubles.points);
         for (property, method) in &METHODS[..2] {
             let Ok(found) = method(&doubles, &options) else { continue };
             let known = [Verdict::Proved, Verdict::Undecided];
             prop_assert!(known.contains(&verdict(&found.mesh, *property)), "{:?}", property);
-            prop_assert!(found.movement.largest <= within, "{:?}: {:?}", property, found.movement);
+            // Edges of some of these nets are thousands of times as long as others.
+            let most = 1000.0 * options.within;
+            prop_assert!(found.movement.largest <= most, "{:?}: {:?}", property, found.movement);
         }
         if let Ok(dual) = metric_dual(&mesh) {
             let doubles = dual.map(Approx::to_f64);
-            let options = Options { within, ..Options::of(&doubles.points) };
-            if let Ok(found) = i_conical(&doubles, &options) {
+            if let Ok(found) = i_conical(&doubles, &near(&doubles.points)) {
                 let known = [Verdict::Proved, Verdict::Undecided, Verdict::Vacuous];
                 prop_assert!(known.contains(&verdict(&found.mesh, Property::IConical)));
             }

@@ -1,14 +1,32 @@
-//! The curvatures of one element, as the outputs need them.
+//! The curvatures of one face or vertex, or why there are none: as reports and files need them.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
-use crate::cli::arguments::At;
+use super::{Curvatures, ExactPair, Forms, VertexUndefined};
 use crate::mesh::{FaceId, VertexId, VertexKind};
-use crate::pair::{Curvatures, ExactPair, Forms, VertexUndefined};
-use crate::scalar::{Approx, BigInt, Field, Fraction, Ordered, Rational, Sign};
+use crate::scalar::{BigInt, Fraction, Ordered, Rational, Sign};
+
+/// The elements that have curvatures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum At {
+    /// Faces (17).
+    Faces,
+    /// Vertices (22).
+    Vertices,
+}
+
+impl At {
+    /// As in lists for programs.
+    pub fn name(self) -> &'static str {
+        match self {
+            At::Faces => "faces",
+            At::Vertices => "vertices",
+        }
+    }
+}
 
 /// The faces or the vertices of a pair.
-pub struct Elements<'a> {
+pub(crate) struct Elements<'a> {
     /// The pair.
     pub pair: ExactPair<'a>,
     /// What of it.
@@ -18,65 +36,23 @@ pub struct Elements<'a> {
 }
 
 /// Forms and curvatures of one element.
-pub struct Found {
-    forms: Forms<Fraction<BigInt>>,
-    curvatures: Curvatures<Fraction<BigInt>>,
-    reversed: bool,
-}
-
-/// Why there are none.
-pub struct Undefined {
-    /// In short, for counts.
-    pub kind: &'static str,
-    /// In full.
-    pub reason: String,
-}
-
-/// An element in the numbers of a summary.
-pub struct Short {
-    /// H and K, correctly rounded.
-    pub values: [f64; 2],
-    /// Their signs, exact.
-    pub signs: [Sign; 2],
-    /// Whether `H² < K`.
-    pub complex: bool,
+#[cfg_attr(not(feature = "cli"), allow(dead_code))]
+pub(crate) struct Found {
+    /// The forms.
+    pub forms: Forms<Fraction<BigInt>>,
+    /// H and K.
+    pub curvatures: Curvatures<Fraction<BigInt>>,
     /// Whether `D(s)` has the sign that the orientation of the faces does not have.
     pub reversed: bool,
 }
 
-/// An element in all forms that are asked for.
-pub struct Row {
-    /// The numbers of the summary.
-    pub found: Result<Short, Undefined>,
-    /// The entry for programs.
-    pub json: Option<String>,
-    /// H and K in lowest terms.
-    pub exact: Option<Curvatures<Rational>>,
-}
-
-impl Row {
-    /// Keeps of an element what is needed.
-    pub fn new(found: Result<Found, Undefined>, json: Option<String>, exact: bool) -> Self {
-        let exact = match &found {
-            Ok(found) if exact => found.curvatures.reduced(),
-            _ => None,
-        };
-        Row { found: found.map(|found| found.short()), json, exact }
-    }
-}
-
-impl Found {
-    fn short(&self) -> Short {
-        let both = [&self.curvatures.mean, &self.curvatures.gauss];
-        let sign = |x: &Fraction<BigInt>| x.certain_sign().unwrap_or(Sign::Zero);
-        Short {
-            values: both.map(Approx::to_f64),
-            signs: both.map(sign),
-            // The discriminant of the forms has the same sign and smaller numbers.
-            complex: sign(&self.forms.discriminant()) == Sign::Negative,
-            reversed: self.reversed,
-        }
-    }
+/// Why there are none.
+#[cfg_attr(not(feature = "cli"), allow(dead_code))]
+pub(crate) struct Undefined {
+    /// In short, for counts.
+    pub kind: &'static str,
+    /// In full.
+    pub reason: String,
 }
 
 impl Elements<'_> {
@@ -120,40 +96,28 @@ impl Elements<'_> {
         Ok(Found { forms: forms.four, curvatures, reversed })
     }
 
-    /// One entry of `values`.
-    pub fn json(&self, index: usize, found: &Result<Found, Undefined>, integrated: bool) -> String {
+    /// The entry of one of them for programs: H and K, or why there are none.
+    pub fn json(&self, index: usize, found: &Result<Found, Undefined>) -> Value {
         let name = match self.at {
             At::Faces => "face",
             At::Vertices => "vertex",
         };
         let found = match found {
             Ok(found) => found,
-            Err(none) => return json!({ name: index, "undefined": none.reason }).to_string(),
+            Err(none) => return json!({ name: index, "undefined": none.reason }),
         };
-        let text = |x: &Fraction<BigInt>| x.reduced::<Rational>().map(|x| x.to_string());
         let Curvatures { mean, gauss } = &found.curvatures;
-        let mut value = json!({
-            name: index,
-            "H": text(mean),
-            "K": text(gauss),
-            "discriminant": text(&found.curvatures.discriminant()),
-            "kappa": found.curvatures.principal_f64(),
-        });
+        let mut value = json!({ name: index, "H": lowest_terms(mean), "K": lowest_terms(gauss) });
         if found.reversed {
             value["image_reversed"] = json!(true);
         }
-        if integrated {
-            let names = match self.at {
-                At::Faces => ["area", "mixed_area", "image_area"],
-                At::Vertices => ["measure", "mixed_measure", "image_measure"],
-            };
-            let Forms { first, mixed, second } = &found.forms;
-            for (name, form) in names.into_iter().zip([first, mixed, second]) {
-                value[name] = json!(text(&(form * Fraction::from_ratio(1, 4))));
-            }
-        }
-        value.to_string()
+        value
     }
+}
+
+/// A number as text; `None` only where it is none.
+pub(crate) fn lowest_terms(x: &Fraction<BigInt>) -> Option<String> {
+    x.reduced::<Rational>().map(|x| x.to_string())
 }
 
 fn kind(undefined: &VertexUndefined) -> &'static str {
