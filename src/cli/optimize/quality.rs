@@ -7,6 +7,9 @@ use crate::net::Net;
 use crate::optimise::Goal;
 use crate::pair::twice_area;
 
+/// The part of the mean edge below which an edge has vanished.
+const VANISHED: f64 = 1.0 / 4096.0;
+
 /// What became of the faces and edges of a mesh.
 pub struct Quality {
     /// The faces whose top view runs the other way round.
