@@ -41,6 +41,9 @@ impl Quality {
                 first.0
             );
         }
+        if self.shortest_edge < VANISHED * edge {
+            text += "  edges have vanished: the goal was reached only by a degenerate mesh\n";
+        }
         text += &format!(
             "  shortest edge {} of the mean before\n",
             words::defect(self.shortest_edge / edge)

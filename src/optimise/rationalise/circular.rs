@@ -21,9 +21,16 @@ use crate::mesh::{HalfEdge, Mesh, Topology, VertexId};
 use crate::scalar::{Approx, Field, Rational, Ring};
 use crate::space::{Gradient, Plane, Point, TopView, Vector2};
 
-/// An exact i-circular mesh near a mesh of quads.
+/// An exact i-circular mesh near a mesh of quads, with vertices of any valence.
+///
+/// Vertices are taken away from convex corners of the boundary on, until nothing is left; the reverse is the
+/// order of placing. So it is a mesh of simply connected pieces, and a boundary without corners, as that of
+/// rings of quads, is excluded. Circles are those of the top view; where quads are collinear there, nothing
+/// is determined.
 ///
 /// # Errors
+/// A coordinate that is no number; a face that is no quad; no order; vertices or directions that
+/// coincide; numbers that become too long.
 pub fn i_circular(mesh: &Mesh<f64>, options: &Options) -> Result<Rationalised, NoExactMesh> {
     let steps = march(&mesh.topology)?;
     let inside = Inside::of(&mesh.points)?;

@@ -8,9 +8,19 @@ use crate::mesh::{FaceId, Mesh, Topology, VertexId, VertexKind};
 use crate::scalar::{Approx, Field, Rational, Ring};
 use crate::space::{Dual, Plane, Point, TopView, Vector2};
 
-/// An exact i-conical mesh near a mesh.
+/// An exact i-conical mesh near a mesh in which four faces meet at every interior vertex.
+///
+/// The [metric dual](crate::construct::metric_dual) is made exactly i-circular, as [`i_circular`] does: its
+/// vertices are the poles of faces, and an interior vertex is the pole of a dual face. A vertex at the boundary
+/// goes to the nearest point of its planes, of which there are one to three. Where K = 0 the dual
+/// degenerates: parallel neighbouring faces are excluded.
 ///
 /// # Errors
+/// A coordinate that is no number; an interior vertex of another valence; a vertical face; a dual that
+/// is no mesh, or has no order; planes that coincide; a vertex at the boundary in more than three planes that
+/// do not meet by themselves; numbers that become too long.
+///
+/// [`i_circular`]: super::i_circular()
 pub fn i_conical(mesh: &Mesh<f64>, options: &Options) -> Result<Rationalised, NoExactMesh> {
     let topology = &mesh.topology;
     if let Some(v) = topology.interior_vertices().find(|&v| topology.star(v).count() != 4) {

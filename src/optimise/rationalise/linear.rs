@@ -11,7 +11,7 @@ pub(super) type Rows = Vec<Vec<(usize, Rational)>>;
 
 /// The bits of the unknowns that may be chosen, at first and at most. The others may be very sensitive to
 /// them, because pivots are chosen for short computations.
-const BITS: [i32; 2] = [64, 1024];
+const BITS: [i32; 2] = [64, 512];
 
 /// How far the others may come out from where they should, `2^−48`.
 const NEAR: i32 = 48;
@@ -114,7 +114,7 @@ impl<'a> Projector<'a> {
             // x ← x − Aᵀ (A Aᵀ)⁻¹ r
             let mut y: Vec<f64> = scaled.collect();
             let size = y.iter().fold(0.0, |size: f64, r| size.max(r.abs()));
-            if size <= 2f64.powi(-bits) || size.is_nan() || size >= last / 2.0 {
+            if size <= 2f64.powi(-bits) || size >= last / 2.0 {
                 return size <= 2f64.powi(-bits);
             }
             last = size;

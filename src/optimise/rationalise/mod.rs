@@ -1,4 +1,37 @@
-//! From doubles back to exact meshes.
+//! From doubles back to exact meshes: near a mesh that has a property up to rounding, one over ℚ that has
+//! it, with numbers of bounded length.
+//!
+//! Coordinates that are rounded one by one lose the property, and vertices that are solved for one after the
+//! other have numbers whose length grows exponentially. Here vertices, or face planes, are placed in an order in
+//! which each meets few conditions with those before it; what is free is rounded to dyadic fractions of few
+//! bits, near to where the vertex shall be; and conditions are written so that every step adds a bounded number
+//! of bits, not a factor:
+//!
+//! - [`planar`]: the last vertex of a quad is `p + s (q − p) + t (r − p)` with rounded s and t. Bits add up
+//!   along the depth of the order, which starts in the middle. Planes of hexagons are free, and their vertices
+//!   are intersections of three. Where rings close, bits would multiply; there top views or normals are
+//!   rounded, and heights or offsets solve a sparse linear system, about `b` bits for each of its equations.
+//! - [`i_circular`]: each vertex of a quad mesh has a direction of few bits, a Gaussian integer. A quad adds
+//!   the bits of a few of them to the denominators, once: bits add up over the quads between a vertex and
+//!   the middle.
+//! - [`i_conical`]: the same for the metric dual; vertices at the boundary are placed in planes that are there.
+//!
+//! Rounding becomes finer until no vertex is moved further than was asked for. Everything is
+//! deterministic; topology and orders are kept. Nothing is claimed: whether the result has the property,
+//! [`Net::check`](crate::net::Net::check) decides. A mesh that is far from the property is moved far, or
+//! becomes wild, and [`Rationalised::movement`] says so: a tolerance is for the caller to choose.
+//!
+//! Measured with `cargo bench --bench rationalise`: meshes of size 1 with noise of 10⁻¹² and
+//! vertices moved by at most 10⁻⁶, seconds of all attempts:
+//!
+//! | class | mesh | faces | bits | seconds |
+//! | --- | --- | --- | --- | --- |
+//! | planar | n × n quads, n = 10, 30, 100 | 100, 900, 10 000 | 211, 583, 1 758 | 0.003, 0.03, 0.6 |
+//! | planar | hexagons | 360 | 148 | 0.02 |
+//! | planar | 4, 8, 12 rings of 40 quads | 160, 320, 480 | 2 642, 7 913, 11 932 | 0.5, 2, 5 |
+//! | planar | closed, parallelograms | 20, 90, 210 | 803, 3 030, 5 080 | 0.01, 0.3, 2 |
+//! | i-circular | n × n quads, n = 10, 20, 30, 40 | 100 … 1 600 | 1 168, 3 899, 9 618, 15 807 | 0.006, 0.05, 0.3, 0.9 |
+//! | i-conical | n × n quads, n = 10, 20, 30, 40 | 100 … 1 600 | 1 350, 4 548, 9 009, 18 345 | 0.007, 0.06, 0.3, 1.7 |
 
 mod circular;
 mod conical;

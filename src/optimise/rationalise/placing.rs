@@ -3,8 +3,7 @@
 use super::dyadic::{exponent, rounded, rounded_point};
 use super::incidence::Placement;
 use crate::mesh::{FaceId, Topology};
-use crate::scalar::Field;
-use crate::scalar::{Approx, Rational, Ring, det3};
+use crate::scalar::{Approx, Field, Rational, Ring, det3};
 use crate::space::{Point, Vector3};
 
 /// The plane `n·x = d`, vertical ones included.
@@ -75,22 +74,27 @@ impl<'a> Placing<'a> {
         self.sheets[face] = Some(PlacedSheet::new(sheet));
     }
 
-    /// Places a node; a vertex is returned. `None` where it is not determined.
-    pub fn place(&mut self, placement: &Placement) -> Option<Option<&Point<Rational>>> {
+    /// Places a node. `None` where it is not determined.
+    pub fn place(&mut self, placement: &Placement) -> Option<()> {
         let &Placement { node, ref on } = placement;
         if let [a, b, c] = on[..] {
             self.supports[node] = Some([a, b, c]);
         }
         let Some(face) = node.checked_sub(self.points.len()) else {
-            let point = self.point(node, on)?;
-            return Some(Some(&self.points[node].insert(PlacedPoint::new(point)).exact));
+            self.points[node] = Some(PlacedPoint::new(self.point(node, on)?));
+            return Some(());
         };
         // A plane on three points waits until its equation is asked for.
         if on.len() < 3 && self.topology.face(FaceId(face as u32)).len() > 3 {
             let sheet = self.sheet(FaceId(face as u32), on)?;
             self.put_sheet(face, sheet);
         }
-        Some(None)
+        Some(())
+    }
+
+    /// The point of a node, if it is a vertex that has been placed.
+    pub fn at(&self, node: usize) -> Option<&Point<Rational>> {
+        self.placed_point(node).map(|p| &p.exact)
     }
 
     fn placed_point(&self, node: usize) -> Option<&PlacedPoint> {
@@ -272,9 +276,8 @@ impl<'a> Placing<'a> {
         let edge = &w.near - &v.near;
         let off = normal.dot(&edge) / edge.length2();
         let k = longest(&edge);
-        let [nk, ni, nj] = from(k, parts(normal));
-        let [ek, ei, ej] = from(k, parts(&edge));
-        let _ = (nk, ek);
+        let [_, ni, nj] = from(k, parts(normal));
+        let [_, ei, ej] = from(k, parts(&edge));
         let (ni, nj) = (rounded(ni - off * ei, self.bits)?, rounded(nj - off * ej, self.bits)?);
         let edge = &w.exact - &v.exact;
         let [ek, ei, ej] = from(k, parts(&edge));

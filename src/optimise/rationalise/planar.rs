@@ -1,4 +1,4 @@
-//! Planar meshes.
+//! Planar meshes of any faces.
 
 use super::heights::heights;
 use super::incidence::{Incidence, Lead, Placement};
@@ -9,10 +9,35 @@ use crate::mesh::{Mesh, Topology};
 use crate::scalar::Rational;
 use crate::space::Point;
 
-/// An exact planar mesh near a mesh.
+/// An exact planar mesh near a mesh with faces of any size.
+///
+/// ```
+/// use isogeo::check::{Decider, Verdict};
+/// use isogeo::construct::quad_patch;
+/// use isogeo::mesh::Mesh;
+/// use isogeo::net::{Net, Property};
+/// use isogeo::optimise::rationalise::{Options, planar};
+/// use isogeo::space::Point;
+/// let points = (0..9).map(|i| [f64::from(i / 3), f64::from(i % 3)].map(|c| 0.1 + c / 7.0));
+/// let points = points.map(|[x, y]| Point::new(x, y, x * x - 0.3 * y * y)).collect();
+/// let mesh = Mesh::new(points, quad_patch(2, 2))?; // planar but for rounding
+/// let found = planar(&mesh, &Options::of(&mesh.points))?;
+/// let decider = Decider::of_rationals(&found.mesh.points);
+/// let report = Net::new(&mesh.topology, &decider).check(Property::Planar);
+/// assert_eq!(report.verdict(), Verdict::Proved);
+/// assert!(found.movement.largest < 1e-6 && found.bits < 80);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Incidences of points and planes form a planar graph if the mesh has genus 0; then there is an order
+/// in which each has at most three with those before it. Orders are compared by the bits that they lead to,
+/// among each other and with linear systems for the heights over a rounded top view or for the offsets of
+/// planes with rounded normals. Vertical faces are allowed. Excluded are meshes with fewer degrees of
+/// freedom than that: in a torus of quads every vertex and every face has four incidences.
 ///
 /// # Errors
-/// See [`NoExactMesh`].
+/// A coordinate that is no number; support points of a face that are collinear; no order, as on a
+/// torus; numbers that become too long, as in flat closed meshes of many faces; not enough memory.
 pub fn planar(mesh: &Mesh<f64>, options: &Options) -> Result<Rationalised, NoExactMesh> {
     let inside = Inside::of(&mesh.points)?;
     let incidence = Incidence::new(&mesh.topology);
@@ -100,8 +125,8 @@ fn in_order(
             [one] => incidence.at(one, obstacle),
             _ => incidence.at(placement.node, obstacle),
         };
-        let placed = placing.place(placement).ok_or(at(Obstacle::Degenerate))?;
-        if placed.is_some_and(|point| bits(point) > options.most_bits) {
+        placing.place(placement).ok_or(at(Obstacle::Degenerate))?;
+        if placing.at(placement.node).is_some_and(|point| bits(point) > options.most_bits) {
             return Err(at(Obstacle::TooManyBits));
         }
     }

@@ -5,11 +5,13 @@ use std::collections::BTreeMap;
 use isogeo::check::{Decider, Verdict};
 use isogeo::construct::hexagonal::HexagonalRings;
 use isogeo::construct::{circular_net, metric_dual, moebius_image, quad_patch, translational_net};
-use isogeo::mesh::{FaceId, FaceList, Mesh, VertexId};
+use isogeo::mesh::{Data, FaceId, FaceList, Mesh, VertexId};
 use isogeo::net::{Net, Property};
 use isogeo::optimise::rationalise::*;
 use isogeo::scalar::{Approx, Field, Rational};
-use isogeo::space::{Circle, CylindricalSphere, MoebiusTransformation, Point, Rotation, TopView};
+use isogeo::space::{
+    Circle, CylindricalSphere, Dual, MoebiusTransformation, Plane, Point, Rotation, TopView,
+};
 use proptest::prelude::*;
 
 use crate::meshes::circular;
@@ -64,21 +66,17 @@ fn inverted(n: i32) -> Mesh<f64> {
     moebius_image(&net, &inversion).expect("off the centre")
 }
 
-/// The dual of such a net: i-conical, with `n × n` faces.
+/// The dual of such a net, but for rounding: i-conical, with `n × n` faces.
 fn dual(n: i32) -> Mesh<f64> {
-    let exact = inverted(n + 1).map(|c| Rational::try_from(*c).expect("a finite number"));
-    // Planar for triangles only; the dual of doubles is taken by three vertices of every face.
-    let mut faces = FaceList::new();
-    for f in exact.topology.faces() {
-        faces.push(exact.topology.face(f)[..3].iter().map(|v| v.0));
-    }
-    let triangles = Mesh::new(exact.points.clone(), faces).expect("triangles");
-    let poles = triangles.topology.faces().map(|f| {
-        let plane = triangles.face_plane(f).expect("no vertical face");
-        isogeo::space::Dual::dual(&plane).map(Approx::to_f64)
-    });
-    let topology = exact.topology.dual().expect("a grid").topology;
-    Mesh { points: poles.collect(), topology, data: Default::default() }
+    let mesh = inverted(n + 1);
+    let pole = |f| {
+        let corners: Vec<_> =
+            mesh.topology.face(f).iter().map(|v| &mesh.points[v.index()]).collect();
+        Plane::nearest(&corners).expect("no vertical face").dual()
+    };
+    let points = mesh.topology.faces().map(pole).collect();
+    let topology = mesh.topology.dual().expect("a grid").topology;
+    Mesh { topology, points, data: Data::default() }
 }
 
 /// What is asked of every result: the same combinatorics, near, proved; and a coordinate disturbs it.
