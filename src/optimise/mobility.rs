@@ -25,7 +25,7 @@ impl Mobility {
     /// use isogeo::space::Vector3;
     /// let v = Vector3::new(1.0, 2.0, 3.0);
     /// assert_eq!(Mobility::Vertical.part(&v), Vector3::new(0.0, 0.0, 3.0));
-    /// assert_eq!(Mobility::Along(Vector3::new(0.6, 0.8, 0.0)).part(&v), Vector3::new(1.32, 1.76, 0.0));
+    /// assert_eq!(Mobility::Along(Vector3::new(0.0, 1.0, 0.0)).part(&v), Vector3::new(0.0, 2.0, 0.0));
     /// ```
     #[inline]
     pub fn part(&self, v: &Vector3<f64>) -> Vector3<f64> {

@@ -7,6 +7,9 @@ use crate::net::Net;
 use crate::optimise::Goal;
 use crate::pair::twice_area;
 
+/// The part of the mean edge below which an edge has vanished.
+const VANISHED: f64 = 1.0 / 4096.0;
+
 /// What became of the faces and edges of a mesh.
 pub struct Quality {
     /// The faces whose top view runs the other way round.
@@ -37,6 +40,9 @@ impl Quality {
                 "  {faces} turned over or lost its area in the top view, first {}\n",
                 first.0
             );
+        }
+        if self.shortest_edge < VANISHED * edge {
+            text += "  edges have vanished: the goal was reached only by a degenerate mesh\n";
         }
         text += &format!(
             "  shortest edge {} of the mean before\n",
