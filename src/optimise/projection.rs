@@ -28,9 +28,13 @@ impl<'a> Projection<'a> {
     ///
     /// # Errors
     /// Where the memory does not suffice.
-    pub fn new(system: &'a System, mobility: &'a [Mobility]) -> Result<Self, NoFactor> {
+    pub fn new(
+        system: &'a System,
+        mobility: &'a [Mobility],
+        points: &[Point<f64>],
+    ) -> Result<Self, NoFactor> {
         let matrix = NormalMatrix::new(system, mobility.len());
-        let factor = Cholesky::analyse(&matrix.starts, &matrix.rows)?;
+        let factor = matrix.analyse(system, points)?;
         Ok(Projection {
             system,
             mobility,

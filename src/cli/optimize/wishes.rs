@@ -42,6 +42,12 @@ pub fn mobility(options: &OptimizeOptions, mesh: &Mesh<f64>) -> Result<Vec<Mobil
     Ok(mobility)
 }
 
+/// The lines of vertices that stay on their polygons.
+pub fn curves(options: &OptimizeOptions, topology: &Topology) -> Vec<Vec<VertexId>> {
+    let slides = options.slide == Some(Slide::Boundary);
+    if slides { topology.boundary_loops() } else { Vec::new() }
+}
+
 /// The vertices that --fix names.
 pub fn fixed(list: &str, topology: &Topology) -> Result<Vec<VertexId>, Failure> {
     let mut fixed = Vec::new();
