@@ -24,7 +24,7 @@ pub struct NormalMatrix {
 const CHUNK: usize = 256;
 
 /// From how many rows on two orders of elimination are tried.
-const LARGE: usize = 200_000;
+const LARGE: usize = 50_000;
 
 impl NormalMatrix {
     /// The pattern: two rows meet if they share a point. Linear in the number of pairs that do.
