@@ -1,5 +1,7 @@
 //! Commands and options.
 
+#[cfg(feature = "campaigns")]
+mod campaigns;
 mod claims;
 #[cfg(feature = "optimise")]
 mod design;
@@ -15,6 +17,8 @@ use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::scalar::ReadAs;
+#[cfg(feature = "campaigns")]
+pub use campaigns::{FuzzOptions, MergeOptions, ReplayOptions};
 pub use claims::{ClaimsCommand, ClaimsOptions, VerifyOptions};
 #[cfg(feature = "optimise")]
 pub use design::{Approach, CertifyOptions, OptimizeOptions, Slide, Wish};
@@ -75,6 +79,12 @@ pub enum Command {
     Triangulate(TriangulateOptions),
     Accuracy(AccuracyOptions),
     Claims(ClaimsOptions),
+    #[cfg(feature = "campaigns")]
+    Fuzz(FuzzOptions),
+    #[cfg(feature = "campaigns")]
+    Merge(MergeOptions),
+    #[cfg(feature = "campaigns")]
+    Replay(ReplayOptions),
     #[cfg(feature = "optimise")]
     Optimize(OptimizeOptions),
     #[cfg(feature = "optimise")]

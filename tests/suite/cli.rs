@@ -1,5 +1,7 @@
 //! The program, run as its users run it: what every command prints, kept as snapshots.
 
+#[cfg(feature = "campaigns")]
+mod campaigns;
 #[cfg(feature = "optimise")]
 mod certify;
 mod claims;

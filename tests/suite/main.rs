@@ -1,5 +1,7 @@
 //! The one test binary: laws, values, files, reports, and the rules of the house.
 
+#[cfg(feature = "campaigns")]
+mod campaigns;
 mod circle_pattern;
 mod claims;
 #[cfg(feature = "cli")]
@@ -24,6 +26,7 @@ mod pairs;
 mod png;
 mod scalars;
 mod space;
+mod strategies;
 mod subdivision;
 mod topology;
 mod transfer;
