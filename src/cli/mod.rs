@@ -19,6 +19,7 @@ mod input;
 mod inversion;
 mod koebe;
 mod make;
+mod memory;
 mod motion;
 mod numbers;
 mod offset;
