@@ -6,6 +6,7 @@ mod claims;
 #[cfg(feature = "optimise")]
 mod design;
 mod figures;
+mod limits;
 mod pairs;
 mod spheres;
 mod subdivide;
@@ -23,6 +24,7 @@ pub use claims::{ClaimsCommand, ClaimsOptions, VerifyOptions};
 #[cfg(feature = "optimise")]
 pub use design::{Approach, CertifyOptions, OptimizeOptions, Slide, Wish};
 pub use figures::{FigureKind, FigureOptions, ViewOptions};
+pub use limits::LimitOptions;
 pub use pairs::{
     At, ChristoffelOptions, CurvatureOptions, GaussKind, GaussOptions, MakeOptions, OffsetOptions,
 };
@@ -132,6 +134,8 @@ pub struct InputOptions {
     /// How its numbers are understood [default: rounded; decimal if the file says that it is exact]
     #[arg(long, value_enum, value_name = "READING")]
     pub read_as: Option<Reading>,
+    #[command(flatten)]
+    pub limits: LimitOptions,
 }
 
 /// Judge a mesh: a verdict for every property, with the worst element and its exact residual
@@ -270,6 +274,8 @@ pub struct TriangulateOptions {
     /// How numbers are understood
     #[arg(long, value_enum, value_name = "READING", default_value_t = Reading::Decimal)]
     pub read_as: Reading,
+    #[command(flatten)]
+    pub limits: LimitOptions,
     #[command(flatten)]
     pub output: OutputOptions,
 }

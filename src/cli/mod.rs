@@ -23,6 +23,7 @@ mod interruption;
 mod inversion;
 mod koebe;
 mod make;
+mod memory;
 #[cfg(feature = "campaigns")]
 mod merge;
 mod motion;

@@ -8,6 +8,8 @@ mod claims;
 mod contract;
 mod curvature;
 mod damage;
+#[cfg(unix)]
+mod faults;
 mod invariance;
 mod koebe;
 mod make;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::limits::LimitOptions;
 use super::{InputOptions, OutputOptions};
 
 /// Move the vertices of a mesh until it is planar, i-circular or i-conical
@@ -94,6 +95,8 @@ pub struct CertifyOptions {
     /// The file to write: .iso.json
     #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
+    #[command(flatten)]
+    pub limits: LimitOptions,
 }
 
 /// What a mesh shall become
