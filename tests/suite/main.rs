@@ -25,6 +25,7 @@ mod png;
 mod scalars;
 mod space;
 mod subdivision;
+mod theory;
 mod topology;
 mod transfer;
 mod triangulate;

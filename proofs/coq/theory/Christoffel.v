@@ -59,7 +59,7 @@ Proof. intro T. rewrite corner_next by exact T. apply vec_eq; unfold corner; coo
 Lemma det_normal (x : vec K) : det (normal x) x = ||x||².
 Proof. unfold normal. coordinates. ring. Qed.
 
-Theorem tangential_incircle k r u R : r <> 0 -> tangential r u R -> has_incircle k (corner r u R) null r².
+Lemma tangential_incircle k r u R : r <> 0 -> tangential r u R -> has_incircle k (corner r u R) null r².
 Proof.
   intros N T. split; [nonzero | ]. intros j _. rewrite tangential_edge by exact T.
   assert (U := proj1 T j).

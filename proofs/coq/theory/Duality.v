@@ -13,7 +13,7 @@
     - [eq_3_sections]: a plane cuts an i-sphere in an i-circle around (p - (B, C))/A.
 
     Unsaid in the paper: no plane is isotropic; the circle of a section may have a radius whose square
-    is no square or 0 ([section_may_be_empty], in Counterexamples.v). *)
+    is no square or 0 ([eq_3_sections_empty] in Counterexamples.v). *)
 
 From Isogeo.theory Require Import Isotropic.
 

@@ -123,7 +123,7 @@ Proof.
   - apply (cancel K 2); [apply two_nonzero | exact H].
 Qed.
 
-Lemma duality_sigma_section P x :
+Theorem duality_sigma_section P x :
   on (lift x) P <-> ||x - top (pole P)||² = ||slope P||² + 2 * level P.
 Proof. apply section_circle. Qed.
 

@@ -15,6 +15,8 @@ Proof. exact (Req_dec x 0). Qed.
 Definition Reals : Scalar :=
   MakeScalar R 0%R 1%R Rplus Rmult Rminus Ropp Rdiv Rinv Rfield real_two real_decidable.
 
+Canonical Reals.
+
 (** Makes plain arithmetic of real numbers out of geometry over [Reals]. *)
 Ltac real_in := coordinates; cbn [carrier zero one add mul sub opp div inv Reals vx vy] in *.
 Ltac real := real_in; try lra.

@@ -1,0 +1,89 @@
+(** * Meshes with offsets
+
+    Vertices, edges and faces at constant distance, in Euclidean space (Sec. 3.1); vectors are points of
+    Isotropic.v, a top view and a height.
+
+    - [dot3], [cross3], [norm3]: products and squared length;
+    - [line_distance p q e]: squared distance of q from the line through p in the direction e, times |e|².
+
+    Statements
+    - [offset_vertex]: |m' - m|² = d² iff s lies on the unit sphere, m' = m + d s;
+    - [offset_edge]: corresponding lines have the distance d iff that of s touches the unit sphere;
+    - [offset_face]: corresponding planes have the distance d iff that of s touches the unit sphere;
+    - [offset_face_cone]: the planes of S at s touch the unit sphere: equal angles with the axis s;
+    - [r_normals_coplanar]: relative normals at the ends of an edge lie in a plane with it;
+      [r_normals_coplanar_sharp]: if edges are not parallel they need not.
+
+    Unsaid in the paper: d != 0, edges have a length. *)
+
+From Isogeo.theory Require Export Isotropic.
+
+Section Offset.
+Context {K : Scalar}.
+Add Field scalars : (laws K).
+Implicit Types (m s e n : point K) (d h : K).
+
+Definition dot3 (p q : point K) := dot (top p) (top q) + pz p * pz q.
+Definition norm3 p := dot3 p p.
+Definition cross3 (p q : point K) :=
+  Point (Vec (vy (top p) * pz q - pz p * vy (top q)) (pz p * vx (top q) - vx (top p) * pz q))
+    (det (top p) (top q)).
+Definition offset_point d m s := (m + d ** s)%P.
+Definition line_distance (p q : point K) e := norm3 (cross3 (q - p) e).
+
+Theorem offset_vertex d m s :
+  d <> 0 -> (norm3 (offset_point d m s - m) = d² <-> norm3 s = 1).
+Proof.
+  intro D. assert (E : norm3 (offset_point d m s - m) = d² * norm3 s)
+    by (unfold norm3, dot3, offset_point; spatial; ring).
+  rewrite E. split; [ | intros ->; ring].
+  intro Z. apply (equals_by K d²); [nonzero | rewrite Z; ring].
+Qed.
+
+(** The line through s in the direction e touches the unit sphere iff |s × e|² = |e|². *)
+Theorem offset_edge d m s e :
+  d <> 0 ->
+  (line_distance m (offset_point d m s) e = d² * norm3 e <-> norm3 (cross3 s e) = norm3 e).
+Proof.
+  intro D. assert (E : line_distance m (offset_point d m s) e = d² * norm3 (cross3 s e))
+    by (unfold line_distance, norm3, dot3, cross3, offset_point; spatial; ring).
+  rewrite E. split; [ | intros ->; ring].
+  intro Z. apply (equals_by K d²); [nonzero | exact Z].
+Qed.
+
+(** The plane n · x + h = 0, |n| = 1, through m: the signed distance of the offset point. *)
+Theorem offset_face d m s n h :
+  d <> 0 -> dot3 n m + h = 0 -> (dot3 n (offset_point d m s) + h = d <-> dot3 n s = 1).
+Proof.
+  intros D O. assert (E : dot3 n (offset_point d m s) + h = d * dot3 n s).
+  { transitivity ((dot3 n m + h) + d * dot3 n s); [unfold dot3, offset_point; spatial; ring | ].
+    rewrite O. ring. }
+  rewrite E. split; [ | intros ->; ring].
+  intro Z. apply (equals_by K d); [exact D | rewrite Z; ring].
+Qed.
+
+(** Unit normals n and n' of planes through s that touch the unit sphere make equal angles with s. *)
+Theorem offset_face_cone s n n' : dot3 n s = 1 -> dot3 n' s = 1 -> dot3 (n - n') s = 0.
+Proof.
+  intros A B. transitivity (dot3 n s - dot3 n' s); [unfold dot3; spatial; ring | ].
+  rewrite A, B. ring.
+Qed.
+
+Theorem r_normals_coplanar (m m' s s' : point K) (l : K) :
+  (s' - s)%P = (l ** (m' - m))%P -> volume (m' - m) s s' = 0.
+Proof.
+  intro E. assert (F : s' = (s + l ** (m' - m))%P).
+  { rewrite <- E. apply point_eq; [apply vec_eq | ]; spatial; ring. }
+  rewrite F. spatial. ring.
+Qed.
+
+Theorem r_normals_coplanar_sharp :
+  let m := Point (Vec 0 0) 0 in let m' := Point (Vec 1 0) 0 in
+  let s := Point (Vec 0 0) 1 in let s' := Point (Vec 0 1) (1 : K) in
+  volume (m' - m) s s' <> 0.
+Proof.
+  intros m m' s s' Z. apply (one_nonzero K), opposite_zero. rewrite <- Z.
+  unfold m, m', s, s'. spatial. ring.
+Qed.
+
+End Offset.
