@@ -15,7 +15,9 @@
     - [christoffel_dual_mixed]: its mixed area with the first is 0 (koebe-minimal, for even k);
     - [thm_3_schramm]: r² (R0 + R1 + R2 + R3) = R0 R1 R2 + ...;
     - [christoffel_dual_area_ratio]: for quads area F / area S = - R0 R1 R2 R3;
-      [koebe_minimal_gauss]: that is K.
+      [koebe_minimal_gauss]: that is K;
+    - [koebe_minimal_circles]: the dual of a Koebe mesh is isothermic;
+    - [minimal_at_vertices], [minimal_at_vertices_gauss]: the same two facts for gradients at a vertex.
     See ChristoffelQuads.v for uniqueness and (20), Counterexamples.v for a triangle.
 
     Unsaid in the paper: no R_j is 0 (no vertex on its incircle), faces have an even number of sides. *)
@@ -214,5 +216,27 @@ Proof.
     rewrite eq_15_16_symmetric, Z. field. exact A.
   - rewrite christoffel_dual_area_ratio by assumption. field. exact A.
 Qed.
+
+(** The vertex circles of the dual, with inverse radii, touch along its edges. *)
+Theorem koebe_minimal_circles (e : vec K) (ri rj : K) :
+  ri <> 0 -> rj <> 0 -> ||e||² = (ri + rj)² -> ||(1 / (ri * rj)) ** e||² = (1 / ri + 1 / rj)².
+Proof.
+  intros A B E. transitivity ((1 / (ri * rj))² * ||e||²); [coordinates; ring | ].
+  rewrite E. field. split; assumption.
+Qed.
+
+(** At vertices: the gradients of the faces around a vertex of a Koebe mesh are the centres of circles
+    that touch each other and are orthogonal to that of the vertex, a polygon around it with the radii
+    of faces as tangent lengths; those of the dual are dual to it, and (22) exchanges the two. *)
+Theorem minimal_at_vertices r u R n :
+  r <> 0 -> (forall j, R j <> 0) -> tangential r u R -> closed (2 * n) R ->
+  mixed (2 * n) (dual_corner r u R) (corner r u R) = 0.
+Proof. intros. rewrite eq_15_16_symmetric. apply christoffel_dual_mixed; assumption. Qed.
+
+Theorem minimal_at_vertices_gauss r u R :
+  r <> 0 -> (forall j, R j <> 0) -> tangential r u R -> closed 4 u -> closed 4 R ->
+  area 4 (dual_corner r u R) <> 0 ->
+  area 4 (corner r u R) / area 4 (dual_corner r u R) = - (R 0%nat * R 1%nat * R 2%nat * R 3%nat).
+Proof. intros. rewrite christoffel_dual_area_ratio by assumption. field. assumption. Qed.
 
 End Tangential.

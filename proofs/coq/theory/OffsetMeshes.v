@@ -11,6 +11,8 @@
     - [offset_edge]: corresponding lines have the distance d iff that of s touches the unit sphere;
     - [offset_face]: corresponding planes have the distance d iff that of s touches the unit sphere;
     - [offset_face_cone]: the planes of S at s touch the unit sphere: equal angles with the axis s;
+    - [parallel_linear]: edges parallel to a given one form a linear space, so parallel meshes do, and
+      v-parallel ones ([parallel_linear_heights]), without their dimensions;
     - [r_normals_coplanar]: relative normals at the ends of an edge lie in a plane with it;
       [r_normals_coplanar_sharp]: if edges are not parallel they need not.
 
@@ -66,6 +68,31 @@ Qed.
 Theorem offset_face_cone s n n' : dot3 n s = 1 -> dot3 n' s = 1 -> dot3 (n - n') s = 0.
 Proof.
   intros A B. transitivity (dot3 n s - dot3 n' s); [unfold dot3; spatial; ring | ].
+  rewrite A, B. ring.
+Qed.
+
+Theorem parallel_linear e (p q : point K) (a b : K) :
+  cross_zero e p -> cross_zero e q -> cross_zero e (a ** p + b ** q).
+Proof.
+  intros [A B] [C D]. split.
+  - transitivity (a * det (top e) (top p) + b * det (top e) (top q)); [spatial; ring | ].
+    rewrite A, C. ring.
+  - transitivity (a ** (pz e ** top p) + b ** (pz e ** top q))%V; [apply vec_eq; spatial; ring | ].
+    rewrite B, D. apply vec_eq; spatial; ring.
+Qed.
+
+Theorem parallel_linear_heights (x y z w : vec K) (f g : vec K -> K) (a b : K) :
+  let over f v := Point v (f v) in
+  coplanar (over f x) (over f y) (over f z) (over f w) ->
+  coplanar (over g x) (over g y) (over g z) (over g w) ->
+  let h v := a * f v + b * g v in
+  coplanar (over h x) (over h y) (over h z) (over h w).
+Proof.
+  cbn zeta. unfold coplanar, volume, psub. cbn [top pz]. intros A B.
+  set (d1 := det (z - x) (w - x)) in *. set (d2 := det (y - x) (w - x)) in *.
+  set (d3 := det (y - x) (z - x)) in *.
+  transitivity (a * ((f y - f x) * d1 - (f z - f x) * d2 + (f w - f x) * d3)
+    + b * ((g y - g x) * d1 - (g z - g x) * d2 + (g w - g x) * d3)); [ring | ].
   rewrite A, B. ring.
 Qed.
 
