@@ -28,6 +28,7 @@ mod scalars;
 mod space;
 mod strategies;
 mod subdivision;
+mod theory;
 mod topology;
 mod transfer;
 mod triangulate;

@@ -1,0 +1,116 @@
+(** * Meshes with offsets
+
+    Vertices, edges and faces at constant distance, in Euclidean space (Sec. 3.1); vectors are points of
+    Isotropic.v, a top view and a height.
+
+    - [dot3], [cross3], [norm3]: products and squared length;
+    - [line_distance p q e]: squared distance of q from the line through p in the direction e, times |e|².
+
+    Statements
+    - [offset_vertex]: |m' - m|² = d² iff s lies on the unit sphere, m' = m + d s;
+    - [offset_edge]: corresponding lines have the distance d iff that of s touches the unit sphere;
+    - [offset_face]: corresponding planes have the distance d iff that of s touches the unit sphere;
+    - [offset_face_cone]: the planes of S at s touch the unit sphere: equal angles with the axis s;
+    - [parallel_linear]: edges parallel to a given one form a linear space, so parallel meshes do, and
+      v-parallel ones ([parallel_linear_heights]), without their dimensions;
+    - [r_normals_coplanar]: relative normals at the ends of an edge lie in a plane with it;
+      [r_normals_coplanar_sharp]: if edges are not parallel they need not.
+
+    Unsaid in the paper: d != 0, edges have a length. *)
+
+From Isogeo.theory Require Export Isotropic.
+
+Section Offset.
+Context {K : Scalar}.
+Add Field scalars : (laws K).
+Implicit Types (m s e n : point K) (d h : K).
+
+Definition dot3 (p q : point K) := dot (top p) (top q) + pz p * pz q.
+Definition norm3 p := dot3 p p.
+Definition cross3 (p q : point K) :=
+  Point (Vec (vy (top p) * pz q - pz p * vy (top q)) (pz p * vx (top q) - vx (top p) * pz q))
+    (det (top p) (top q)).
+Definition offset_point d m s := (m + d ** s)%P.
+Definition line_distance (p q : point K) e := norm3 (cross3 (q - p) e).
+
+Theorem offset_vertex d m s :
+  d <> 0 -> (norm3 (offset_point d m s - m) = d² <-> norm3 s = 1).
+Proof.
+  intro D. assert (E : norm3 (offset_point d m s - m) = d² * norm3 s)
+    by (unfold norm3, dot3, offset_point; spatial; ring).
+  rewrite E. split; [ | intros ->; ring].
+  intro Z. apply (equals_by K d²); [nonzero | rewrite Z; ring].
+Qed.
+
+(** The line through s in the direction e touches the unit sphere iff |s × e|² = |e|². *)
+Theorem offset_edge d m s e :
+  d <> 0 ->
+  (line_distance m (offset_point d m s) e = d² * norm3 e <-> norm3 (cross3 s e) = norm3 e).
+Proof.
+  intro D. assert (E : line_distance m (offset_point d m s) e = d² * norm3 (cross3 s e))
+    by (unfold line_distance, norm3, dot3, cross3, offset_point; spatial; ring).
+  rewrite E. split; [ | intros ->; ring].
+  intro Z. apply (equals_by K d²); [nonzero | exact Z].
+Qed.
+
+(** The plane n · x + h = 0, |n| = 1, through m: the signed distance of the offset point. *)
+Theorem offset_face d m s n h :
+  d <> 0 -> dot3 n m + h = 0 -> (dot3 n (offset_point d m s) + h = d <-> dot3 n s = 1).
+Proof.
+  intros D O. assert (E : dot3 n (offset_point d m s) + h = d * dot3 n s).
+  { transitivity ((dot3 n m + h) + d * dot3 n s); [unfold dot3, offset_point; spatial; ring | ].
+    rewrite O. ring. }
+  rewrite E. split; [ | intros ->; ring].
+  intro Z. apply (equals_by K d); [exact D | rewrite Z; ring].
+Qed.
+
+(** Unit normals n and n' of planes through s that touch the unit sphere make equal angles with s. *)
+Theorem offset_face_cone s n n' : dot3 n s = 1 -> dot3 n' s = 1 -> dot3 (n - n') s = 0.
+Proof.
+  intros A B. transitivity (dot3 n s - dot3 n' s); [unfold dot3; spatial; ring | ].
+  rewrite A, B. ring.
+Qed.
+
+Theorem parallel_linear e (p q : point K) (a b : K) :
+  cross_zero e p -> cross_zero e q -> cross_zero e (a ** p + b ** q).
+Proof.
+  intros [A B] [C D]. split.
+  - transitivity (a * det (top e) (top p) + b * det (top e) (top q)); [spatial; ring | ].
+    rewrite A, C. ring.
+  - transitivity (a ** (pz e ** top p) + b ** (pz e ** top q))%V; [apply vec_eq; spatial; ring | ].
+    rewrite B, D. apply vec_eq; spatial; ring.
+Qed.
+
+Theorem parallel_linear_heights (x y z w : vec K) (f g : vec K -> K) (a b : K) :
+  let over f v := Point v (f v) in
+  coplanar (over f x) (over f y) (over f z) (over f w) ->
+  coplanar (over g x) (over g y) (over g z) (over g w) ->
+  let h v := a * f v + b * g v in
+  coplanar (over h x) (over h y) (over h z) (over h w).
+Proof.
+  cbn zeta. unfold coplanar, volume, psub. cbn [top pz]. intros A B.
+  set (d1 := det (z - x) (w - x)) in *. set (d2 := det (y - x) (w - x)) in *.
+  set (d3 := det (y - x) (z - x)) in *.
+  transitivity (a * ((f y - f x) * d1 - (f z - f x) * d2 + (f w - f x) * d3)
+    + b * ((g y - g x) * d1 - (g z - g x) * d2 + (g w - g x) * d3)); [ring | ].
+  rewrite A, B. ring.
+Qed.
+
+Theorem r_normals_coplanar (m m' s s' : point K) (l : K) :
+  (s' - s)%P = (l ** (m' - m))%P -> volume (m' - m) s s' = 0.
+Proof.
+  intro E. assert (F : s' = (s + l ** (m' - m))%P).
+  { rewrite <- E. apply point_eq; [apply vec_eq | ]; spatial; ring. }
+  rewrite F. spatial. ring.
+Qed.
+
+Theorem r_normals_coplanar_sharp :
+  let m := Point (Vec 0 0) 0 in let m' := Point (Vec 1 0) 0 in
+  let s := Point (Vec 0 0) 1 in let s' := Point (Vec 0 1) (1 : K) in
+  volume (m' - m) s s' <> 0.
+Proof.
+  intros m m' s s' Z. apply (one_nonzero K), opposite_zero. rewrite <- Z.
+  unfold m, m', s, s'. spatial. ring.
+Qed.
+
+End Offset.
