@@ -17,6 +17,7 @@
 
 use std::fmt;
 
+mod certificate;
 mod control;
 mod decide;
 mod draw;
@@ -31,6 +32,7 @@ mod sec_4;
 mod trial;
 mod verify;
 
+pub use certificate::{Certificate, Findings, Part, Refused, Script, Step, certificate};
 pub use control::{Control, Counterexample};
 pub use decide::{Condition, Decision, Undecided};
 pub use draw::{NoSeed, Seed};

@@ -24,6 +24,7 @@ mod pages;
 mod pairs;
 #[cfg(feature = "png")]
 mod png;
+mod proofs;
 mod scalars;
 mod space;
 mod strategies;
