@@ -36,18 +36,24 @@ Proof.
   assert (X2 : - l <= x) by (destruct (Rle_or_lt (- l) x); [assumption | exfalso; nra]).
   assert (E : x / l * l = x) by (field; lra).
   assert (D : -1 <= x / l <= 1) by (split; apply (Rmult_le_reg_r l); lra).
-  assert (B := acos_bound (x / l)).
-  assert (C : l * cos (acos (x / l)) = x) by (rewrite cos_acos by exact D; field; lra).
-  assert (M : l * sin (acos (x / l)) = Rabs y).
-  { rewrite sin_acos by exact D. rewrite <- sqrt_Rsqr_abs, <- (sqrt_Rsqr l) at 1 by lra.
-    rewrite <- sqrt_mult_alt by apply Rle_0_sqr. f_equal. unfold Rsqr.
-    transitivity (l * l - x / l * l * (x / l * l)); [ring | rewrite E; lra]. }
+  assert (G : continuity (fun t => cos t - x / l)).
+  { intro t. apply continuity_pt_minus; [apply continuity_cos | apply continuity_pt_const].
+    intros u v. reflexivity. }
+  destruct (IVT_cor (fun t => cos t - x / l) 0 PI G) as (phi & B & Z).
+  { apply Rlt_le, PI_RGT_0. }
+  { cbv beta. rewrite cos_0, cos_PI. nra. }
+  assert (C : l * cos phi = x) by (replace (cos phi) with (x / l) by lra; lra).
+  assert (P : 0 <= l * sin phi) by (apply Rmult_le_pos; [lra | apply sin_ge_0; lra]).
+  assert (M : (l * sin phi) * (l * sin phi) = y * y).
+  { assert (U := sin2_cos2 phi). unfold Rsqr in U.
+    transitivity (l * l * (sin phi * sin phi + cos phi * cos phi) - (l * cos phi) * (l * cos phi)); [ring | ].
+    rewrite U, C. lra. }
   destruct (Rle_or_lt 0 y) as [Y | Y].
-  - exists l, (acos (x / l)). split; [exact L | split; [lra | ]].
-    unfold polar. rewrite C, M, Rabs_pos_eq by exact Y. reflexivity.
-  - exists l, (- acos (x / l)). split; [exact L | split; [lra | ]].
-    unfold polar. rewrite cos_neg, sin_neg, C. f_equal.
-    rewrite <- Ropp_mult_distr_r, M, Rabs_left by exact Y. cbn. lra.
+  - exists l, phi. split; [exact L | split; [lra | ]].
+    assert (E' : l * sin phi = y) by nra. unfold polar. rewrite C, E'. reflexivity.
+  - exists l, (- phi). split; [exact L | split; [lra | ]].
+    assert (E' : l * sin phi = - y) by nra.
+    unfold polar. rewrite cos_neg, sin_neg, C. f_equal. cbn. lra.
 Qed.
 
 (** The only zero of the sine between 0 and 2π. *)
