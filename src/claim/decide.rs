@@ -23,8 +23,8 @@ const ATTEMPTS: u64 = 4;
 pub(super) struct Record {
     pub(super) program: Program,
     pub(super) goals: Vec<(String, NodeId)>,
-    relations: Vec<NodeId>,
-    conditions: Vec<Assumption<NodeId>>,
+    pub(super) relations: Vec<(&'static str, NodeId)>,
+    pub(super) conditions: Vec<Assumption<NodeId>>,
 }
 
 /// A condition under which the recorded code does what it did.
@@ -41,7 +41,7 @@ pub struct Condition {
 pub struct Decision {
     /// The size.
     pub size: usize,
-    /// [`Grade::Decided`] or [`Grade::DecidedUpTo`].
+    /// [`Grade::DecidedUpTo`] or [`Grade::Decided`]; [`Grade::Certified`] where Coq agrees.
     pub grade: Grade,
     /// The number of goals, obligations of zero tests included.
     pub goals: usize,
@@ -108,7 +108,7 @@ impl From<TooLarge> for Undecided {
     }
 }
 
-fn place(at: &Location<'_>) -> String {
+pub(super) fn place(at: &Location<'_>) -> String {
     format!("{}:{}", at.file(), at.line())
 }
 
@@ -132,7 +132,11 @@ impl Record {
                     return Ok(Record {
                         program,
                         goals: goals.collect(),
-                        relations: trial.relations.iter().map(|(_, r)| r.node()).collect(),
+                        relations: trial
+                            .relations
+                            .iter()
+                            .map(|(says, r)| (*says, r.node()))
+                            .collect(),
                         conditions: {
                             let known = trial.conditions.into_iter();
                             known.map(|c| c.map(Symbol::node)).collect()
@@ -147,7 +151,7 @@ impl Record {
     }
 
     /// The files of the library whose operations the nodes need, from `src` on.
-    fn files(&self, nodes: &[NodeId]) -> Vec<String> {
+    pub(super) fn files(&self, nodes: &[NodeId]) -> Vec<String> {
         let slice = self.program.slice(nodes);
         let nodes = self.program.nodes().filter(|n| slice[n.index()]);
         let files: BTreeSet<String> =
@@ -203,7 +207,7 @@ pub(super) fn decide(
     // What must not vanish: divisors, and whatever a comparison took for different from zero.
     // The hypotheses have to be defined, too.
     let mut needed = nodes.clone();
-    needed.extend(&record.relations);
+    needed.extend(record.relations.iter().map(|r| r.1));
     needed.extend(record.conditions.iter().map(|c| c.value));
     let divisors = program.divisors(&program.slice(&needed)).into_iter();
     let mut excluded: Vec<(NodeId, String)> =
@@ -225,7 +229,7 @@ pub(super) fn decide(
         }
     };
     let numerator = |node| forms.quotient(node).map(|q| q.numerator().clone()).unwrap_or_default();
-    let relations: Vec<Polynomial> = record.relations.iter().map(|r| numerator(*r)).collect();
+    let relations: Vec<Polynomial> = record.relations.iter().map(|r| numerator(r.1)).collect();
     for (n, (name, node)) in vanishing.iter().enumerate() {
         if !vanishes(&numerator(*node), &relations)? {
             let known = n < record.goals.len();

@@ -17,6 +17,7 @@
 
 use std::fmt;
 
+mod certificate;
 mod control;
 mod decide;
 mod draw;
@@ -31,6 +32,7 @@ mod sec_4;
 mod trial;
 mod verify;
 
+pub use certificate::{Certificate, Findings, Part, Refused, Script, Step, certificate};
 pub use control::{Control, Counterexample};
 pub use decide::{Condition, Decision, Undecided};
 pub use draw::{NoSeed, Seed};
@@ -38,7 +40,7 @@ pub use evidence::{Evidence, Experiment, Identity, Runs};
 pub use example::{Example, example};
 pub use ledger::ledger;
 pub use mutant::{MutantTally, mutants};
-pub use sample::{Failure, Sampling};
+pub use sample::{Failure, Instance, Sampling};
 pub use trial::{Run, Stop, Trial};
 pub use verify::{Options, PartReport, Report, Verdict, verify};
 

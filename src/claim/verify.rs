@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
+use super::certificate::{Certificate, certificate};
 use super::control::{check, disturb, uncontrolled};
 use super::decide::{Decision, Undecided, decide};
 use super::sample::{Sampling, sample};
@@ -60,6 +61,8 @@ pub struct Report {
     pub claim: &'static Claim,
     /// The evidence, piece by piece.
     pub parts: Vec<PartReport>,
+    /// The certificate, where Coq has checked it as it is now.
+    pub certificate: Option<Certificate>,
     /// The controls: how the claim fails without each hypothesis, or why it does not.
     pub controls: Vec<Result<String, String>>,
     /// The time of everything, in seconds.
@@ -154,9 +157,22 @@ fn one(claim: &'static Claim, options: &Options) -> Report {
         sampling: sample(claim, evidence, options.samples, options.seed),
         disturbed: disturb(evidence, options.seed),
     };
+    let mut parts: Vec<PartReport> = claim.evidence.iter().map(part).collect();
+    let decided = |p: &PartReport| p.decisions.iter().flatten().any(|d| d.grade == Grade::Decided);
+    let certificate = if parts.iter().any(decided) { certificate(claim) } else { None };
+    let certificate = certificate.filter(Certificate::is_checked);
+    for (evidence, part) in parts.iter_mut().enumerate() {
+        for decision in part.decisions.iter_mut().flatten() {
+            let covered = certificate.as_ref().is_some_and(|c| c.covers(evidence, decision.size));
+            if covered && decision.grade == Grade::Decided {
+                decision.grade = Grade::Certified;
+            }
+        }
+    }
     Report {
         claim,
-        parts: claim.evidence.iter().map(part).collect(),
+        parts,
+        certificate,
         controls: claim.controls.iter().map(|control| check(claim, control)).collect(),
         seconds: start.elapsed().as_secs_f64(),
     }

@@ -3,12 +3,15 @@
 use std::fmt::Write as _;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde_json::{Value, json};
 
-use super::arguments::{ClaimsCommand, ClaimsOptions, Layout, VerifyOptions};
+use super::arguments::{CertificateOptions, ClaimsCommand, ClaimsOptions, Layout, VerifyOptions};
 use super::failure::Failure;
 use super::{Status, output};
-use crate::claim::{self, Claim, Options, Report, Seed, Verdict, example, ledger, verify};
+use crate::claim::{
+    self, Claim, Options, Report, Script, Seed, Verdict, certificate, example, ledger, verify,
+};
 use crate::mesh::file::write_whole;
 
 /// Lists, shows or verifies claims.
@@ -17,6 +20,7 @@ pub fn run(options: &ClaimsOptions, layout: Layout) -> Result<Status, Failure> {
         ClaimsCommand::List => list(layout),
         ClaimsCommand::Show { id } => show(claim(id)?, layout),
         ClaimsCommand::Verify(options) => check(options, layout),
+        ClaimsCommand::Certify(options) => certify(options, layout),
     }
 }
 
@@ -31,6 +35,14 @@ fn claim(id: &str) -> Result<&'static Claim, Failure> {
         };
         Failure::with_help(format!("'{id}' is no claim"), help)
     })
+}
+
+/// The claims of these names; all where none is given.
+fn claims_of(ids: &[String]) -> Result<Vec<&'static Claim>, Failure> {
+    if ids.is_empty() {
+        return Ok(claim::claims().collect());
+    }
+    ids.iter().map(|id| claim(id)).collect()
 }
 
 fn list(layout: Layout) -> Result<Status, Failure> {
@@ -145,11 +157,7 @@ fn push_evidence(text: &mut String, report: &Report) {
 }
 
 fn check(options: &VerifyOptions, layout: Layout) -> Result<Status, Failure> {
-    let claims = if options.ids.is_empty() {
-        claim::claims().collect()
-    } else {
-        options.ids.iter().map(|id| claim(id)).collect::<Result<Vec<_>, _>>()?
-    };
+    let claims = claims_of(&options.ids)?;
     let seed = options.seed.unwrap_or_else(Seed::fresh);
     let bar = output::slow_steps(claims.len(), "claims");
     let finished = AtomicUsize::new(0);
@@ -171,6 +179,48 @@ fn check(options: &VerifyOptions, layout: Layout) -> Result<Status, Failure> {
     }
     let holds = reports.iter().all(|report| report.verdict() == Verdict::Holds);
     Ok(if holds { Status::Proved } else { Status::Refuted })
+}
+
+fn certify(options: &CertificateOptions, layout: Layout) -> Result<Status, Failure> {
+    let claims = claims_of(&options.ids)?;
+    let certificates: Vec<_> = claims.par_iter().map(|claim| certificate(claim)).collect();
+    let mut values = Vec::new();
+    let mut text = String::new();
+    for (claim, certificate) in claims.iter().zip(&certificates) {
+        let Some(certificate) = certificate else {
+            // Writing to a string does not fail.
+            let _ = writeln!(text, "{:<22} left out: it is not decided", claim.id);
+            continue;
+        };
+        let path = options.out.join(certificate.file_name());
+        write_whole(&path, certificate.coq().as_bytes())?;
+        let file = path.display().to_string();
+        let programs = certificate.scripts().count();
+        let operations: usize = certificate.scripts().map(Script::nodes).sum();
+        let checked = certificate.is_checked();
+        let not = if checked { "" } else { "not " };
+        let _ = writeln!(
+            text,
+            "{:<22} {file}: {programs} programs, {operations} operations, {not}checked",
+            claim.id
+        );
+        let left_out = certificate.parts.iter().filter_map(|part| part.script.as_ref().err());
+        values.push(json!({
+            "id": claim.id,
+            "file": file,
+            "sha256": certificate.hash(),
+            "programs": programs,
+            "operations": operations,
+            "left_out": left_out.collect::<Vec<_>>(),
+            "checked": checked,
+        }));
+    }
+    if layout.is_json() {
+        output::print_json(&json!({ "schema": "isogeo.certificates/1", "certificates": values }))?;
+    } else {
+        output::print(&text)?;
+    }
+    Ok(Status::Proved)
 }
 
 fn table(reports: &[Report], seed: Seed) -> String {

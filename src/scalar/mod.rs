@@ -60,6 +60,7 @@ pub(crate) use rational::ratio_to_f64;
 pub use rational::{Rational, RationalField};
 pub use residue::Residue;
 pub use ring::{DivRef, Field, Ring, RingRef, Same, det3};
+pub(crate) use symbol::Quotients;
 pub use symbol::{
     Branch, Degrees, Evaluation, Instruction, Mutation, NodeId, NormalForms, Outcome, Polynomial,
     Program, Quotient, Symbol, TooLarge, record,

@@ -1,5 +1,7 @@
 //! The one test binary: laws, values, files, reports, and the rules of the house.
 
+#[cfg(feature = "campaigns")]
+mod campaigns;
 mod circle_pattern;
 mod claims;
 #[cfg(feature = "cli")]
@@ -22,8 +24,10 @@ mod pages;
 mod pairs;
 #[cfg(feature = "png")]
 mod png;
+mod proofs;
 mod scalars;
 mod space;
+mod strategies;
 mod subdivision;
 mod theory;
 mod topology;

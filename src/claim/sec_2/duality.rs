@@ -18,7 +18,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "(p₁, p₂, p₃)* : z = p₁x + p₂y − p₃",
         source: Source::Paper("Sec. 2.1, metric duality"),
         hypotheses: &[],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "",
         evidence: &[Evidence::identity::<Involution>("twice dual", &[1], &[1])],
         controls: &[],
@@ -30,7 +30,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "p ∈ P ⇔ P* ∈ p*",
         source: Source::Paper("Sec. 2.1, metric duality"),
         hypotheses: &[],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The point lies over the plane by as much as the pole over the polar plane. What \
                    is dual to a line follows: the points of two planes are the planes of two points.",
         evidence: &[Evidence::identity::<Incidence>("heights over planes", &[1], &[1])],
@@ -42,7 +42,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "|p − q|ᵢ² = ∠ᵢ(p*, q*)²",
         source: Source::Paper("Sec. 2.1, metric duality"),
         hypotheses: &[],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "",
         evidence: &[Evidence::identity::<Metric>("squares of both", &[1], &[1])],
         controls: &[],
@@ -53,7 +53,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "p' = q' ⇔ ∇p* = ∇q*",
         source: Source::Paper("Sec. 2.1, metric duality"),
         hypotheses: &[],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The difference of the gradients is that of the top views, so they vanish together.",
         evidence: &[Evidence::identity::<Parallelism>("differences", &[1], &[1])],
         controls: &[],
@@ -65,7 +65,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "|p|² + 2t = 0 ⇔ P* ∈ Σ",
         source: Source::Paper("Sec. 2.1, 3.2"),
         hypotheses: &[],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The tangency is, but for the sign, the height of the pole over Σ.",
         evidence: &[Evidence::identity::<AtSigma>("poles and contact", &[1], &[1])],
         controls: &[],
@@ -77,7 +77,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "(x, y, f)* = (f_x, f_y, x f_x + y f_y − f)",
         source: Source::Paper("Sec. 2.1, (10)"),
         hypotheses: &[Hypothesis::stated(REGULAR)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "A tangent plane depends on first derivatives, and that of the dual surface on \
                    second ones: polynomials have any of these at a point. The size is the degree.",
         evidence: &[
@@ -97,7 +97,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "H* = H/K,  K* = 1/K",
         source: Source::Paper("Sec. 2.1, (11)"),
         hypotheses: &[Hypothesis::stated(REGULAR)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The curvatures of the dual surface at a point depend on derivatives of f up to the \
                    third there, and polynomials of degree 3 have any of these. H* vanishes with H.",
         evidence: &[

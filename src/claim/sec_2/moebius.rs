@@ -19,7 +19,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "(x', z) ↦ (x', 2s(x') − z)",
         source: Source::Paper("Sec. 2.1, isotropic sphere transformations"),
         hypotheses: &[],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The image of a point lies over the image of a sphere by as much as the point over \
                    the sphere, but for the sign; so exactly the points of the sphere are mapped to \
                    those of its image.",
@@ -42,7 +42,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             Hypothesis::silent(OFF_AXIS),
             Hypothesis::silent(OFF_CENTRE),
         ],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The image of a point lies over the image of a sphere by a multiple, not 0, of what \
                    the point lies over the sphere. A translation puts the centre at the origin. The \
                    in-circle determinant of four top views is multiplied by a product of powers, so \

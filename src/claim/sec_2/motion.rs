@@ -25,7 +25,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
     formula: "x' ↦ R x' + (a, b),  z ↦ c + c₁x + c₂y + z",
     source: Source::Paper("Sec. 2.1, (1), (2)"),
     hypotheses: &[Hypothesis::stated(UNIT)],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "A class of meshes is the set where residuals vanish, and each is a function of few \
                points. That of a vertex of valence n is a difference of two products of n factors, \
                each of which the rotation multiplies by the same number, so what holds for n = 2, 4 \

@@ -18,7 +18,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "centre (p − (B, C))/A, squared radius (|p − (B, C)|² + 2A(t − D))/A²",
         source: Source::Paper("Sec. 2.1, (3)"),
         hypotheses: &[Hypothesis::stated(CURVED)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "Over any top view the height of the plane over the sphere is a multiple of the \
                    power of the circle, so that both vanish together; in an isotropic plane the \
                    heights over sphere and parabola agree.",
@@ -39,7 +39,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "σ(x, y, f) = (f_x, f_y, (f_x² + f_y²)/2),  dσ'(v) = ∇²f · v",
         source: Source::Paper("Sec. 2.1, (6), (7)"),
         hypotheses: &[],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The image depends on the gradient alone, so polynomials of second order show all \
                    of it. Along a straight line their Gauss map is linear: its derivative is its \
                    difference.",
@@ -54,7 +54,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "K = κ₁κ₂ = f_xx f_yy − f_xy²,  2H = κ₁ + κ₂ = Δf",
         source: Source::Paper("Sec. 2.1, (8), (9)"),
         hypotheses: &[],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "A jet of second order says all about H and K. The size is the degree of the \
                    polynomial; its derivatives are compared with those that dual numbers give.",
         evidence: &[

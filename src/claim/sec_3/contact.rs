@@ -29,7 +29,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             Hypothesis::silent(EVEN),
             Hypothesis::silent(SIMPLY),
         ],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "This is thm-1-f for the dual mesh: a vertex of valence 2n is cut into vertices of \
                    valence 4 by planes through it, and with all interior vertices closed every cycle of \
                    faces of a simply connected mesh closes.",

@@ -26,7 +26,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "in-circle determinant = -2 det(s₁ - s₀, s₂ - s₀, s₃ - s₀)",
         source: Source::Paper("Sec. 3.2, Theorem 1"),
         hypotheses: &[Hypothesis::stated(CIRCULAR), Hypothesis::silent(NOT_VERTICAL)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "For all k: a face is planar, or concyclic, iff three of its corners and each other one \
                    are; the faces of a mesh are tested one by one. A point of Σ is determined by its \
                    top view, so the lift is unique.",
@@ -63,7 +63,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "",
         source: Source::Paper("Sec. 3.2, Theorem 1"),
         hypotheses: &[Hypothesis::stated(INSCRIBED), Hypothesis::silent(NO_ZERO_EDGE)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "All quads parallel to the inscribed one arise from two free edges. If its first and \
                    third corner agree, the parallel quads are folded, too, and have two equal corners or \
                    all on a line. Other faces: only quads are claimed.",

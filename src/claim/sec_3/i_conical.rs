@@ -24,7 +24,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "",
         source: Source::Paper("Sec. 3.2, Theorem 2"),
         hypotheses: &[Hypothesis::silent(NOT_VERTICAL), Hypothesis::silent(NOT_COLLINEAR)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "A pyramid, here up to an i-motion, has an interior vertex of valence 4 and a face of 4 \
                    corners, and so has its dual; duality is local, so the same holds at every vertex and face of any mesh, and \
                    for more corners three and each other one are compared.",
@@ -52,7 +52,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "",
         source: Source::Paper("Sec. 3.2, Theorem 2"),
         hypotheses: &[Hypothesis::stated(CONICAL), Hypothesis::silent(NOT_COLLINEAR)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "Each vertex is placed by the planes around it alone, and up to an i-motion a pyramid has \
                    those of any vertex of valence 4 at its apex. Edges between faces that are not coplanar lie in two \
                    planes, which are parallel to those of M.",

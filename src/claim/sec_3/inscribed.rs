@@ -33,7 +33,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         Hypothesis::silent(SIMPLY),
         Hypothesis::silent(START),
     ],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "A step is an involution that only depends on the edge. A face with 2n corners is cut into \
                    quads by the diagonals from one corner, and a step along a diagonal and back is none: \
                    so it closes as its quads do; the gap is that of any quad up to an i-motion. With all \

@@ -35,7 +35,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         Hypothesis::stated(ONE_CONTACT),
         Hypothesis::silent(VALENCE),
     ],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "All polygons with an incircle arise from its contacts, as k parameters of a circle. A \
                    mesh is made of faces, edges and vertices, and each statement is about one of them: \
                    with one contact for each edge, the radii of a vertex, its tangent lengths, are the \

@@ -21,7 +21,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "height over Σ along the tangent = -|x - t|²/2",
         source: Source::Paper("Sec. 3.4"),
         hypotheses: &[Hypothesis::stated(TOUCHING), Hypothesis::silent(SUM)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "",
         evidence: &[Evidence::identity::<TouchingPair>("two circles", &[1], &[1])],
         controls: &[
@@ -55,7 +55,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "ρ² = |v'|² - 2 v₃",
         source: Source::Paper("Sec. 3.4"),
         hypotheses: &[Hypothesis::silent(ORTHOGONAL), Hypothesis::silent(NOT_COLLINEAR)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "For k circles: three with centres that are not collinear have one orthogonal circle, \
                    and each other one is orthogonal to it iff its plane passes through v. A cycle of four \
                    touching circles arises, up to i-motions, from three radii and two directions: the \

@@ -44,7 +44,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "∇M_i = ∇S_i ⇔ (m_i*)' = (s_i*)'",
         source: Source::Paper("Sec. 3.1, mesh parallelism in isotropic space"),
         hypotheses: &[Hypothesis::stated(NO_VERTICAL_FACE), Hypothesis::silent(NO_VERTICAL_DUAL)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "Two meshes are paired face by face and vertex by vertex, and one inner vertex with \
                    its four faces has all kinds of both. More faces at a vertex are as many more \
                    poles in its polar plane. The residuals of vertex and dual face, of face and dual \
@@ -91,7 +91,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "det(m_j − m_i, s_i, s_j) = 0",
         source: Source::Paper("Sec. 3.1, relative Gauss mapping"),
         hypotheses: &[Hypothesis::stated(PARALLEL_EDGES)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "An edge of M, its image in S and the two normals are linear combinations of two \
                    vectors; an edge is parallel to its image where two planes meet in it that are \
                    not parallel.",

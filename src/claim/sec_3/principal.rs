@@ -26,7 +26,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "α₁ + α₃ = α₂ + α₄ = π",
         source: Source::Paper("Sec. 3.2, (13)"),
         hypotheses: &[Hypothesis::silent(CONVEX)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "Modulo π it is decided, for every quad. Angles of an embedded convex quad lie between 0 \
                    and π, their sums between 0 and 2π, where π is the only zero of the sine: the step to \
                    real angles is this argument, and exact signs on instances.",
@@ -53,7 +53,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             Hypothesis::silent(NOT_ISOTROPIC),
             Hypothesis::silent(CYCLIC),
         ],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "Modulo π it is decided: only the planes of the faces enter, and each is spanned by \
                    two edges. Edges in cyclic order enclose four positive angles with the sum 2π, so \
                    that ω₁ + ω₃ lies between 0 and 2π, where π is the only zero of the sine: this step \
@@ -89,7 +89,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "|p_j - s'|² = |s'|² - 2 s₃",
         source: Source::Paper("Sec. 3.2"),
         hypotheses: &[Hypothesis::stated(ON_CIRCLE), Hypothesis::silent(NOT_COLLINEAR)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The planes of S touch Σ and pass through s: they are those of a cone of revolution. \
                    Conversely planes at a constant i-angle from that with the gradient s' have their \
                    gradients on a circle. Up to an i-motion a closed pyramid has the planes of any \

@@ -29,7 +29,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         Hypothesis::silent(VERTEX_AT_CENTRE),
         Hypothesis::silent(CIRCLE_THROUGH_CENTRE),
     ],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "Vertices of M are faces of its image and conversely, and planes through the vertex of one \
                cone are all that a conical vertex asks for. The inversion at the unit cylinder, \
                those at i-M-spheres and additions of these generate, with i-motions and \

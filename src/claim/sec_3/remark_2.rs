@@ -33,7 +33,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             Hypothesis::silent(INCIRCLES),
             Hypothesis::silent(VERTEX_CIRCLES),
         ],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The incircles around a vertex of valence k arise from k contacts on its circle and k + 1 \
                    heights; a mesh is i-isothermic iff this holds around its vertices. For larger k each \
                    face is compared with the first. The inversion at the unit cylinder, those at \
@@ -71,7 +71,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "(e·s)² = |e|² (|s|² - 1)",
         source: Source::Paper("Sec. 3.4, Remark 2"),
         hypotheses: &[Hypothesis::stated(ONE_CONTACT), Hypothesis::silent(GREAT)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "Faces of N belong to vertices of M, edges to edges: the star of a vertex of valence k has \
                    them all. With N parallel to a mesh whose edges touch the unit sphere, N + dS has \
                    edges at the distance d.",

@@ -56,7 +56,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "K_h = K + h² (4 a02 a40 + 4 a04 a20 - 2 a11 (a13 + a22 + a31) - a12² - 2 a12 a21 - a21²) + O(h⁴)",
         source: Source::Paper("Sec. 4, Fig. 11"),
         hypotheses: &[Hypothesis::silent(SPANS), Hypothesis::silent(LATTICE)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "Any lattice triangulation has the edges ±a, ±b, ±(a + b) for some basis. Curvatures at a \
                    vertex see finitely many samples, so the Taylor coefficients of their errors are those \
                    of polynomials: up to h² those of a quartic. At other stars nothing converges: see the control, \

@@ -29,7 +29,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         Hypothesis::silent(OFF_CENTRE),
         Hypothesis::silent(GREAT_CIRCLE),
     ],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "Δ² at a point sees the 4-jet there, and those of harmonic functions are those of harmonic \
                polynomials of degree 4; constants give |x|², linear functions stay. A plane through a vertex with a circle orthogonal to that of the vertex \
                is all that the image of a vertex depends on; so for any number of faces the planes of \

@@ -26,7 +26,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         Hypothesis::silent(OFF_CIRCLE),
         Hypothesis::silent(SIMPLY_CONNECTED),
     ],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "For all even k: the dual of a face has the incircle of radius -1/ρ and the tangents 1/R_j \
                    in the same directions, so it closes; an odd k leaves the last sign over. An edge of the \
                    dual is a matter of its two ends, so in a simply connected mesh closed faces close \

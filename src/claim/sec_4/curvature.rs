@@ -15,7 +15,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "area(F + dS) = area(F) + 2d area(F, S) + d² area(S)",
         source: Source::Paper("Sec. 4, (15), (16)"),
         hypotheses: &[],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "For all k: both sides are sums over the edges, and the difference of two consecutive k \
                    is the identity for a triangle.",
         evidence: &[Evidence::identity::<PolarForm>(
@@ -31,7 +31,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "K(Fᵈ) = K / (1 + 2dH + d²K),  H(Fᵈ) = (H + dK) / (1 + 2dH + d²K)",
         source: Source::Paper("Sec. 4, (17), (18)"),
         hypotheses: &[Hypothesis::silent(AREA), Hypothesis::silent(OFFSET_AREA)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "For all k: (18) follows from eq-15-16-form, since only the three areas enter.",
         evidence: &[Evidence::identity::<OffsetCurvatures>(
             "(15)-(18) on the corners of F + dS",
@@ -70,7 +70,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "d = -1/H:  H(Fᵈ) = -H",
         source: Source::Paper("Sec. 4, after (18)"),
         hypotheses: &[Hypothesis::stated(MEAN), Hypothesis::silent(NOT_UMBILIC)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "Face by face, since d is the same for all faces; (18) holds by eq-17-18.",
         evidence: &[Evidence::identity::<OppositeMean>("H of the offset at d = -1/H", &[1], &[1])],
         controls: &[
@@ -92,7 +92,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "d = -1/(2H):  K(Fᵈ) = 4H²",
         source: Source::Paper("Sec. 4, after (18)"),
         hypotheses: &[Hypothesis::stated(MEAN), Hypothesis::silent(CURVED)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "Face by face, since d is the same for all faces; (18) holds by eq-17-18.",
         evidence: &[Evidence::identity::<ConstantGauss>(
             "K of the offset at d = -1/(2H)",

@@ -18,7 +18,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
     formula: "2 area(F, S) = Σ ½ (κ_i + κ_j) det(e_i, e_j),  2 area(S) = Σ κ_i κ_j det(e_i, e_j),  i < j < k - 1",
     source: Source::Ours,
     hypotheses: &[Hypothesis::stated(EDGES)],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "For all k: the corner i of a polygon is the sum of its first i edges, and (15), (16) are \
                    bilinear in the corners.",
     evidence: &[Evidence::identity::<EdgeSums>("parallel k-gons in space", K_GONS, &[3, 4, 5, 8])],

@@ -22,7 +22,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "",
         source: Source::Paper("Sec. 4, Fig. 8"),
         hypotheses: &[Hypothesis::silent(THROUGH), Hypothesis::silent(SECTOR)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The centre is any, so a shift of the grid moves any four consecutive points of a line to \
                    the first ones, for the rotational meshes up to a turn and a scale. Four consecutive \
                    points lie in a plane, so all do: the next plane has three of them in common. That \
@@ -67,7 +67,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "row y: (0, 1/(2y), -y²/3 - 1/24)",
         source: Source::Paper("Sec. 4, Fig. 9"),
         hypotheses: &[Hypothesis::silent(THROUGH), Hypothesis::silent(SECTOR)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "Face planes of the dual are poles of vertices, which is decided, so by fig-8-planar-lines the point is the pole of \
                    the plane of a line of vertices. Four consecutive planes suffice as there.",
         evidence: &[

@@ -27,7 +27,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "area(F, S) = 0,  K(F) = -R_0 R_1 R_2 R_3",
         source: Source::Paper("Sec. 4"),
         hypotheses: &[Hypothesis::silent(OFF_CIRCLE), Hypothesis::silent(EVEN_FACES)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "It is a statement on single faces and edges once the dual exists, for which see \
                    christoffel-dual, also for all k. Similarities and translations along Σ bring the \
                    incircle of a face to the unit circle about any centre.",
@@ -66,7 +66,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "D(v, s) = 0,  K(v) = -ρ_0 ρ_1 ρ_2 ρ_3",
         source: Source::Ours,
         hypotheses: &[Hypothesis::stated(OFF_CIRCLE)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The star is any four quads with touching circles around a vertex; further faces do not enter. The \
                    polygons of gradients are quads around the circles of the vertex, dual to each other: for K \
                    that is christoffel-dual, and is looked at on one surface.",
@@ -96,7 +96,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "area(F, S) = 0  =>  D(F*, S*) = 0",
         source: Source::Paper("Sec. 2.1 and 4"),
         hypotheses: &[Hypothesis::stated(MINIMAL), Hypothesis::silent(VERTEX_SENSE)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "For all k as in eq-21-22-duality: the corners of F are the gradients around F*. After \
                    an i-motion F lies in the plane z = 0; outside of the ring around F nothing enters.",
         evidence: &[

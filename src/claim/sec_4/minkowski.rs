@@ -22,7 +22,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         Hypothesis::stated(CONVEX),
         Hypothesis::silent(AREA),
     ],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "For quads the sign is read off from the formula: all Dij of a convex face have the same \
                    sign. If exactly one corner is reflex, D12 D23 D34 D41 < 0 and H² < K unless S is homothetic to F. \
                    For more corners it is Minkowski's inequality for mixed areas; instances here.",

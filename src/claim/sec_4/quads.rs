@@ -20,7 +20,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "area(F, S) = 0  <=>  13 ∥ 2*4*  and  24 ∥ 1*3*",
         source: Source::Paper("Sec. 4, (20), Fig. 7"),
         hypotheses: &[Hypothesis::stated(PARALLEL)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "4 area(F, S) = det(13, 2*4*) + det(1*3*, 24) for any two quads, and the two terms differ by \
                    the cross products of corresponding edges, with signs; so for parallel quads, degenerate \
                    ones included, each of them is 2 area(F, S). In space: faces in planes that are not \
@@ -54,7 +54,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "2 area(F, S) = det(13, 2*4*) = det(1*3*, 24)",
         source: Source::Ours,
         hypotheses: &[Hypothesis::stated(PARALLEL)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The quad that is made has one pair of parallel diagonals and is otherwise any quad \
                    parallel to F.",
         evidence: &[Evidence::identity::<OneDiagonal>(
@@ -83,7 +83,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "R*_j = μ / R_j",
         source: Source::Paper("Sec. 4, Fig. 7"),
         hypotheses: &[Hypothesis::silent(NO_POINT), Hypothesis::silent(OFF_CIRCLE)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "Up to similarity F is circumscribed to the unit circle. All its parallel quads with \
                    mixed area 0 are reached, since by eq-20-one-diagonal one pair of parallel diagonals makes \
                    them; corners on the incircle are those between edges on one line.",

@@ -26,7 +26,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             Hypothesis::silent(STEPS),
             Hypothesis::silent(ONE_INTEGRAL),
         ],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The areas of a face are differences of one expression at its two steps, which is decided for \
                    any steps; so the curvature asked for is constant on rings iff C is. Faces of a ring \
                    are turned copies. With K = k² the steps are parametrised rationally; where S is \
@@ -77,7 +77,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "H constant: rr' - Hr² = C,  K constant: r² - r'²/K = C",
         source: Source::Ours,
         hypotheses: &[Hypothesis::stated(SECTOR), Hypothesis::stated(RADII)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "A face belongs to two consecutive rings; area and mixed area are differences of r² and rr' there.",
         evidence: &[
             Evidence::identity::<QuadMean>("H constant", &[1], &[1, 2, 3]),

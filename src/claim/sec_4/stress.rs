@@ -19,7 +19,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "Σ w_j e_j = 0,  2 D(v, s) = Σ w_j(f) (g_j - g_v) = Σ w_j(g) (f_j - f_v),  ∂D(v)/∂f_j = w_j",
         source: Source::Ours,
         hypotheses: &[Hypothesis::stated(NOT_VERTICAL)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "For all k as in eq-22-cotan; the measure is quadratic in the heights, so that its central \
                    difference is its derivative at any step.",
         evidence: &[
@@ -44,7 +44,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "H(v^d) = H + d,  K(v^d) = K + 2dH + d²",
         source: Source::Ours,
         hypotheses: &[Hypothesis::stated(NOT_VERTICAL), Hypothesis::stated(IMAGE_MEASURE)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "For all k: gradients are linear in the heights, and by eq-15-16-form the measures of the sum \
                    are D(v) + 2d D(v, s) + d² D(s).",
         evidence: &[

@@ -21,7 +21,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "D(v) = area(v*),  D(v, s) = area(v*, s*),  H(v) = H(v*)/K(v*),  K(v) = 1/K(v*)",
         source: Source::Paper("Sec. 4, (21), (22)"),
         hypotheses: &[Hypothesis::silent(MEASURES)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "For all k: the gradients around the vertex are the top views of the corners of the \
                    dual face, one by one, and both sides are the same form of them. The faces around the \
                    vertex are given by their planes; their other corners do not enter.",
@@ -50,7 +50,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "2 D(v, s) = Σ ½ (cot α_j + cot β_j) (f_j - f_v),  D(s) = area of the circumcentres",
         source: Source::Paper("Sec. 4, (22), Fig. 11"),
         hypotheses: &[Hypothesis::silent(NOT_VERTICAL), Hypothesis::silent(IMAGE_MEASURE)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "For all k: both sides are sums of terms that belong to two consecutive triangles, \
                    and such a term knows nothing of k.",
         evidence: &[

@@ -12,7 +12,8 @@ use crate::claim::Seed;
 Example:
   isogeo claims list
   isogeo claims show eq-17-18
-  isogeo claims verify eq-17-18 thm-1-f --samples 500")]
+  isogeo claims verify eq-17-18 thm-1-f --samples 500
+  isogeo claims certify --out proofs/coq/recorded")]
 pub struct ClaimsOptions {
     #[command(subcommand)]
     pub command: ClaimsCommand,
@@ -30,6 +31,7 @@ pub enum ClaimsCommand {
         id: String,
     },
     Verify(VerifyOptions),
+    Certify(CertificateOptions),
 }
 
 /// Check claims: on random exact instances, for all inputs, and without each hypothesis
@@ -50,4 +52,21 @@ pub struct VerifyOptions {
     /// Write the ledger as a page, in Markdown
     #[arg(long, value_name = "FILE")]
     pub ledger: Option<PathBuf>,
+}
+
+/// Write what is decided of claims as programs for a checker that is not ours
+///
+/// For Coq: one file for each claim, with the recorded operations, the hypotheses and the goals, to
+/// be checked by `coqc -Q proofs/coq Isogeo FILE`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  isogeo claims certify --out proofs/coq/recorded
+  isogeo claims certify eq-17-18 --out .")]
+pub struct CertificateOptions {
+    /// The claims by name [default: all that are decided]
+    pub ids: Vec<String>,
+    /// The folder for the files
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
 }

@@ -12,6 +12,7 @@ mod program;
 mod tape;
 
 pub use evaluation::Evaluation;
+pub(crate) use normal_form::Quotients;
 pub use normal_form::{NormalForms, Quotient};
 pub use polynomial::{Polynomial, TooLarge};
 pub use program::{Branch, Degrees, Instruction, Mutation, NodeId, Outcome, Program};

@@ -37,16 +37,29 @@ impl Quotient {
     }
 }
 
+/// Zero.
+impl Default for Quotient {
+    fn default() -> Self {
+        Polynomial::default().into()
+    }
+}
+
 impl From<Polynomial> for Quotient {
     fn from(numerator: Polynomial) -> Self {
         Quotient { numerator, integer: 1, denominator: Powers::new() }
     }
 }
 
+/// The field of quotients, with the factors that were divided by so far.
+#[derive(Debug, Default)]
+pub(crate) struct Quotients {
+    factors: Vec<Polynomial>,
+}
+
 /// The normal forms of the goals of a program.
 #[derive(Debug, Default)]
 pub struct NormalForms {
-    factors: Vec<Polynomial>,
+    quotients: Quotients,
     by_node: HashMap<NodeId, Quotient>,
 }
 
@@ -94,32 +107,44 @@ impl NormalForms {
         let form = self.quotient(goal)?;
         let mut denominator = integer(form.integer);
         for (&factor, &power) in &form.denominator {
-            let value: T = self.factors[factor].evaluate(unknowns);
+            let value: T = self.quotients.factors[factor].evaluate(unknowns);
             denominator = (0..power).fold(denominator, |product, _| product * &value);
         }
         form.numerator.evaluate(unknowns).try_div(&denominator)
     }
 
     fn step(&mut self, instruction: Instruction, unknowns: usize) -> Result<Quotient, TooLarge> {
-        let operands: Vec<NodeId> = instruction.operands().collect();
-        let operand = |n: usize| {
-            let known = operands.get(n).and_then(|node| self.by_node.get(node));
-            known.cloned().ok_or(TooLarge::Unknowns)
-        };
-        Ok(match instruction {
-            Instruction::Unknown(_) => Polynomial::unknown(unknowns - 1)?.into(),
-            Instruction::Constant(n) => Polynomial::constant(n.into()).into(),
-            Instruction::Add(..) => self.sum(&operand(0)?, &operand(1)?)?,
-            Instruction::Sub(..) => self.sum(&operand(0)?, &opposite(operand(1)?)?)?,
-            Instruction::Neg(_) => opposite(operand(0)?)?,
-            Instruction::Mul(..) => self.product(operand(0)?, operand(1)?)?,
-            Instruction::Div(_, divisor) => {
-                let (a, b) = (operand(0)?, operand(1)?);
-                if b.is_zero() {
-                    return Err(TooLarge::ZeroDivisor(divisor));
-                }
-                self.ratio(a, &b)?
+        if let Instruction::Unknown(_) = instruction {
+            return Ok(Polynomial::unknown(unknowns - 1)?.into());
+        }
+        let operand = |node| self.by_node.get(&node).cloned().unwrap_or_default();
+        match instruction {
+            Instruction::Div(_, divisor) if operand(divisor).is_zero() => {
+                Err(TooLarge::ZeroDivisor(divisor))
             }
+            instruction => self.quotients.step(instruction, operand),
+        }
+    }
+}
+
+impl Quotients {
+    /// The result of an instruction, where those of its operands are given; no divisor is 0.
+    ///
+    /// # Errors
+    /// Where a polynomial grows beyond the bounds of [`TooLarge`].
+    pub(crate) fn step(
+        &mut self,
+        instruction: Instruction,
+        of: impl Fn(NodeId) -> Quotient,
+    ) -> Result<Quotient, TooLarge> {
+        Ok(match instruction {
+            Instruction::Unknown(n) => Polynomial::unknown(n as usize)?.into(),
+            Instruction::Constant(n) => Polynomial::constant(n.into()).into(),
+            Instruction::Add(a, b) => self.sum(&of(a), &of(b))?,
+            Instruction::Sub(a, b) => self.sum(&of(a), &opposite(of(b))?)?,
+            Instruction::Neg(a) => opposite(of(a))?,
+            Instruction::Mul(a, b) => self.product(of(a), of(b))?,
+            Instruction::Div(a, b) => self.ratio(of(a), &of(b))?,
         })
     }
 

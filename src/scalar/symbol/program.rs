@@ -14,10 +14,15 @@ impl NodeId {
     pub fn index(self) -> usize {
         self.0 as usize
     }
+
+    /// The node at a place.
+    pub(crate) fn at(index: usize) -> Self {
+        NodeId(index as u32)
+    }
 }
 
 /// One instruction; its operands stand before it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Instruction {
     /// The unknown of this number.
     Unknown(u32),
@@ -45,6 +50,19 @@ impl Instruction {
             Add(a, b) | Sub(a, b) | Mul(a, b) | Div(a, b) => (Some(a), Some(b)),
         };
         a.into_iter().chain(b)
+    }
+
+    /// The same with other operands.
+    pub(crate) fn renamed(self, of: impl Fn(NodeId) -> NodeId) -> Self {
+        use Instruction::*;
+        match self {
+            Unknown(_) | Constant(_) => self,
+            Add(a, b) => Add(of(a), of(b)),
+            Sub(a, b) => Sub(of(a), of(b)),
+            Mul(a, b) => Mul(of(a), of(b)),
+            Div(a, b) => Div(of(a), of(b)),
+            Neg(a) => Neg(of(a)),
+        }
     }
 
     /// Its value, where those of its operands are given; `None` for a division by zero.

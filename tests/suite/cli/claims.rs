@@ -13,7 +13,9 @@ fn claims_are_listed_and_shown() {
     let text: Vec<&str> = run.out.lines().filter(times).collect();
     assert_snapshot!("claims_show", text.join("\n"));
     let run = shell.line("claims list");
-    assert!(run.out.lines().any(|line| line.starts_with("eq-17-18 ") && line.contains("decided")));
+    assert!(
+        run.out.lines().any(|line| line.starts_with("eq-17-18 ") && line.contains("certified"))
+    );
     let run = shell.line("claims show eq-17");
     assert_eq!(run.code, 2);
     assert!(run.err.contains("eq-17-18"), "{}", run.err);
@@ -38,7 +40,10 @@ fn a_seed_repeats_a_run() {
     assert_eq!(seed.len(), 64);
     assert_eq!(counts(&format!("--seed {seed}")).1, first);
     assert_eq!(counts("--seed 5").0, "5");
-    assert!(first[0].starts_with("\"cgc-offset\" \"decided\" \"decided\" \"holds\""), "{first:?}");
+    assert!(
+        first[0].starts_with("\"cgc-offset\" \"certified\" \"certified\" \"holds\""),
+        "{first:?}"
+    );
     let run = shell.line("claims verify cgc-offset --seed five");
     assert_eq!(run.code, 2);
     assert!(run.err.contains("64 hexadecimal digits"), "{}", run.err);

@@ -17,7 +17,7 @@ pub(in crate::claim) const CLAIMS: &[Claim] = &[Claim {
     formula: "RᵀDR = D,  D = diag(1, 1, 1, −1)",
     source: Source::Paper("Sec. 2.2"),
     hypotheses: &[Hypothesis::stated(ISOMETRY), Hypothesis::silent(IMAGE_SOUTH)],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "The matrices are products of reflections at vectors of length not 0, and what two \
                    maps keep, their product keeps.",
     evidence: &[

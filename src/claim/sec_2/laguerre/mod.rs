@@ -18,7 +18,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "(A, B, C, D) = (r + m₃, −m₁, −m₂, (r − m₃)/2)",
         source: Source::Paper("Sec. 2.2, (12)"),
         hypotheses: &[Hypothesis::stated(NORMAL), Hypothesis::silent(SOUTH)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The point of a plane lies over the i-M-sphere by 2/(1 + n₃) times the distance by \
                    which the plane misses the sphere.",
         evidence: &[
@@ -51,7 +51,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         formula: "g₃ = −2t/(1 + N), g' = g₃c − p, s = (2c, 1 − N)/(1 + N), N = |c|² − ρ²",
         source: Source::Paper("Sec. 2.2, (12)"),
         hypotheses: &[Hypothesis::silent(GREAT)],
-        said: Grade::Decided,
+        said: Grade::Certified,
         argument: "The two residuals of a plane at the cone are combinations of the two of its point \
                    at the i-circle, with an invertible matrix. The normals of the planes lie in the \
                    plane 2c·n' + (1 − N)n₃ = 1 + N, which contains the centre of the sphere iff \

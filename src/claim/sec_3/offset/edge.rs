@@ -19,7 +19,7 @@ pub(in crate::claim) const CLAIMS: &[Claim] = &[Claim {
     formula: "dist² = d² |s × e|²/|e|²",
     source: Source::Paper("Sec. 3.1, meshes with offsets (ii)"),
     hypotheses: &[Hypothesis::stated(EDGE_OF_M)],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "The distance concerns one edge at a time; a line in the direction e through s \
                    touches the unit sphere iff |s × e|² = |e|². That there are such meshes is seen on \
                    images of circle packings.",

@@ -22,7 +22,7 @@ pub(in crate::claim) const CLAIMS: &[Claim] = &[Claim {
     formula: "n·(v + ds) + h = d n·s",
     source: Source::Paper("Sec. 3.1, meshes with offsets (iii)"),
     hypotheses: &[Hypothesis::silent(FINITE)],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "The distance concerns one face at a time. Planes with n·s = 1 make equal angles \
                with s, which is a cone of revolution. The unit normals at a vertex admit an s iff \
                each lies in the plane that the first three span, if that misses the centre; where \

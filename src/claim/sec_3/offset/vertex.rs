@@ -28,7 +28,7 @@ pub(in crate::claim) const CLAIMS: &[Claim] = &[Claim {
         Hypothesis::stated(EDGES),
         Hypothesis::silent(SIMPLY_CONNECTED),
     ],
-    said: Grade::Decided,
+    said: Grade::Certified,
     argument: "Faces span planes. A face of S lies in one, which cuts the sphere in a circle; turned so that the \
                    plane is horizontal, it is a circle around the gradient of the face, as for Σ. From \
                    a point of the circle the direction of an edge leads to one other; which one \
