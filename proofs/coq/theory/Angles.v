@@ -3,7 +3,7 @@
     (13) and (14) with real angles: the last step from the identities modulo π of Conical.v. Edges are
     given by lengths and polar angles, l (cos φ, sin φ) with l > 0.
 
-    - [polar l phi]: that vector.
+    - [polar l phi]: that vector; [polar_exists]: every vector but 0 is one, with φ between -π and π.
 
     Statements
     - [eq_14_conical_sine]: the balance of a star is the product of the lengths times -sin (ω0 + ω2);
@@ -20,6 +20,41 @@ From Isogeo.theory Require Export Real Conical.
 Local Open Scope R_scope.
 
 Definition polar (l phi : R) : vec Reals := @Vec Reals (l * cos phi)%R (l * sin phi)%R.
+
+Lemma polar_exists (a : vec Reals) :
+  a <> null -> exists l phi, 0 < l /\ - PI <= phi <= PI /\ a = polar l phi.
+Proof.
+  intro N. destruct a as [x y].
+  assert (Q : 0 < x * x + y * y).
+  { destruct (Req_dec x 0) as [X | X].
+    - destruct (Req_dec y 0) as [Y | Y]; [exfalso; apply N; rewrite X, Y; reflexivity | nra].
+    - nra. }
+  set (l := sqrt (x * x + y * y)).
+  assert (L : 0 < l) by (apply sqrt_lt_R0, Q).
+  assert (S : l * l = x * x + y * y) by (apply sqrt_sqrt; lra).
+  assert (X1 : x <= l) by (destruct (Rle_or_lt x l); [assumption | exfalso; nra]).
+  assert (X2 : - l <= x) by (destruct (Rle_or_lt (- l) x); [assumption | exfalso; nra]).
+  assert (E : x / l * l = x) by (field; lra).
+  assert (D : -1 <= x / l <= 1) by (split; apply (Rmult_le_reg_r l); lra).
+  assert (G : continuity (fun t => cos t - x / l)).
+  { intro t. apply continuity_pt_minus; [apply continuity_cos | apply continuity_pt_const].
+    intros u v. reflexivity. }
+  destruct (IVT_cor (fun t => cos t - x / l) 0 PI G) as (phi & B & Z).
+  { apply Rlt_le, PI_RGT_0. }
+  { cbv beta. rewrite cos_0, cos_PI. nra. }
+  assert (C : l * cos phi = x) by (replace (cos phi) with (x / l) by lra; lra).
+  assert (P : 0 <= l * sin phi) by (apply Rmult_le_pos; [lra | apply sin_ge_0; lra]).
+  assert (M : (l * sin phi) * (l * sin phi) = y * y).
+  { assert (U := sin2_cos2 phi). unfold Rsqr in U.
+    transitivity (l * l * (sin phi * sin phi + cos phi * cos phi) - (l * cos phi) * (l * cos phi)); [ring | ].
+    rewrite U, C. lra. }
+  destruct (Rle_or_lt 0 y) as [Y | Y].
+  - exists l, phi. split; [exact L | split; [lra | ]].
+    assert (E' : l * sin phi = y) by nra. unfold polar. rewrite C, E'. reflexivity.
+  - exists l, (- phi). split; [exact L | split; [lra | ]].
+    assert (E' : l * sin phi = - y) by nra.
+    unfold polar. rewrite cos_neg, sin_neg, C. f_equal. cbn. lra.
+Qed.
 
 (** The only zero of the sine between 0 and 2π. *)
 Lemma sine_zero (x : R) : 0 < x < 2 * PI -> (sin x = 0 <-> x = PI).

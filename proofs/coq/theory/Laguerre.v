@@ -6,8 +6,7 @@
     - [oriented]: a plane (n, h), [unit]: its normal has length 1;  [ball]: a sphere (m, r);
     - [touch P S]: n · m + h = r;  [image P]: the point P^i of (12);
     - [sphere_of S]: the i-M-sphere (A, B, C, D) = (r + m3, -m1, -m2, (r - m3)/2), [ball_of] its inverse;
-    - [on_circle c r2 p t]: a point of the i-circle over |x - c|² = r2 in the plane z = p · x + t;
-    - [form]: the inner product of R^4, [contact]: oriented contact of spheres.
+    - [on_circle c r2 p t]: a point of the i-circle over |x - c|² = r2 in the plane z = p · x + t.
 
     Statements
     - [eq_12_spheres_height], [eq_12_spheres]: planes that touch a sphere are the points of an i-M-sphere;
@@ -15,9 +14,7 @@
     - [eq_12_spheres_image]: every point stands for a plane;
     - [eq_12_cones]: the points of an i-circle are planes through one point with normals in a plane that
       misses the origin, the tangent planes of a cone of revolution;
-    - [eq_12_cones_cylinder_sharp]: for 1 + N = 0 that plane passes through the origin: a cylinder;
-    - [laguerre_group_contact], [laguerre_group_composition]: maps a + R S that keep the form;
-    - [laguerre_group_offset]: offsetting by d is z += d (1 + |x|²)/2.
+    - [eq_12_cones_cylinder_sharp]: for 1 + N = 0 that plane passes through the origin: a cylinder.
 
     Unsaid in the paper: n3 != -1; no circle is the image of a great circle, 1 + |c|² - r2 != 0. *)
 
@@ -149,72 +146,6 @@ Proof.
     - rewrite E. field. exact A. }
   rewrite E. split; [ | intros ->; ring]. apply cancel.
   intro Z. apply opposite_zero, quotient_zero in Z; [exact (two_nonzero K Z) | exact A].
-Qed.
-
-(** ** The group *)
-
-Definition form S T := dot3 (m S) (m T) - r S * r T.
-Definition difference S T := Ball (m S - m T)%P (r S - r T).
-Definition sum S T := Ball (m S + m T)%P (r S + r T).
-(** Spheres in oriented contact have a common tangent plane at a common point. *)
-Definition contact S T := form (difference S T) (difference S T) = 0.
-Definition linear (R : ball -> ball) :=
-  forall S T, R (difference S T) = difference (R S) (R T).
-(** Rᵀ D R = D. *)
-Definition keeps_form (R : ball -> ball) := forall S T, form (R S) (R T) = form S T.
-Definition laguerre (L : ball -> ball) :=
-  exists (a : ball) R, linear R /\ keeps_form R /\ forall S, L S = sum a (R S).
-
-Lemma difference_translate a S T : difference (sum a S) (sum a T) = difference S T.
-Proof.
-  destruct a as [[[? ?] ?] ?], S as [[[? ?] ?] ?], T as [[[? ?] ?] ?]. unfold difference, sum.
-  f_equal; [apply point_eq; [apply vec_eq | ] | ]; cbn; ring.
-Qed.
-
-Theorem laguerre_group_contact L S T : laguerre L -> (contact (L S) (L T) <-> contact S T).
-Proof.
-  intros (a & R & A & B & C). unfold contact. rewrite !C, difference_translate, <- A, B. reflexivity.
-Qed.
-
-Theorem laguerre_group_composition L M : laguerre L -> laguerre M -> laguerre (fun S => L (M S)).
-Proof.
-  intros (a & R & A & B & C) (a' & R' & A' & B' & C').
-  exists (sum a (R a')), (fun S => R (R' S)). split; [ | split].
-  - intros S T. rewrite A', A. reflexivity.
-  - intros S T. rewrite B, B'. reflexivity.
-  - intro S. rewrite C, C'.
-    assert (E : R (sum a' (R' S)) = sum (R a') (R (R' S))).
-    { assert (D : forall X Y, sum X Y = difference X (difference (difference Y Y) Y)).
-      { intros [[[? ?] ?] ?] [[[? ?] ?] ?]. unfold sum, difference.
-        f_equal; [apply point_eq; [apply vec_eq | ] | ]; cbn; ring. }
-      rewrite (D a' (R' S)), (D (R a')), !A. reflexivity. }
-    rewrite E. generalize (R a') (R (R' S)). clear.
-    intros [[[? ?] ?] ?] [[[? ?] ?] ?]. destruct a as [[[? ?] ?] ?]. unfold sum.
-    f_equal; [apply point_eq; [apply vec_eq | ] | ]; cbn; ring.
-Qed.
-
-(** The identity with the translation (0, 0, 0, d): each tangent plane moves by d. *)
-Definition offset_ball (d : K) S := Ball (m S) (r S + d).
-Definition offset_plane (d : K) P := Oriented (n P) (h P + d).
-
-Theorem laguerre_group_offset_touch d P S : touch (offset_plane d P) (offset_ball d S) <-> touch P S.
-Proof.
-  unfold touch, offset_plane, offset_ball. cbn [n h m r]. rewrite <- !(difference_zero K (dot3 _ _ + _)).
-  replace (dot3 (n P) (m S) + (h P + d) - (r S + d)) with (dot3 (n P) (m S) + h P - r S) by ring.
-  reflexivity.
-Qed.
-
-Theorem laguerre_group_offset d P :
-  unit P -> pz (n P) + 1 <> 0 ->
-  image (offset_plane d P) =
-  Point (top (image P)) (pz (image P) + d * (1 + ||top (image P)||²) / 2).
-Proof.
-  intros U A. apply point_eq; [reflexivity | ]. destruct P as [[[a b] c] k]. unfold offset_plane. flat.
-  assert (E : a² + b² = (1 - c) * (1 + c))
-    by (transitivity (a * a + b * b + c * c - c²); [ring | rewrite U; ring]).
-  transitivity (k / (c + 1) + d * (1 + (a² + b²) / (c + 1)²) / 2).
-  - rewrite E. field. nonzero.
-  - field. nonzero.
 Qed.
 
 End Laguerre.

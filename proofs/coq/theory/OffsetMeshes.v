@@ -11,6 +11,8 @@
     - [offset_edge]: corresponding lines have the distance d iff that of s touches the unit sphere;
     - [offset_face]: corresponding planes have the distance d iff that of s touches the unit sphere;
     - [offset_face_cone]: the planes of S at s touch the unit sphere: equal angles with the axis s;
+    - [offset_face_conical]: unit normals at a vertex, three of them independent, belong to planes that
+      are those of a cone of revolution iff they lie in a plane;
     - [parallel_linear]: edges parallel to a given one form a linear space, so parallel meshes do, and
       v-parallel ones ([parallel_linear_heights]), without their dimensions;
     - [r_normals_coplanar]: relative normals at the ends of an edge lie in a plane with it;
@@ -69,6 +71,48 @@ Theorem offset_face_cone s n n' : dot3 n s = 1 -> dot3 n' s = 1 -> dot3 (n - n')
 Proof.
   intros A B. transitivity (dot3 n s - dot3 n' s); [unfold dot3; spatial; ring | ].
   rewrite A, B. ring.
+Qed.
+
+(** Four normals, three independent: there is one point s in all planes n_j · s = 1 iff the normals are
+    coplanar, that is, iff the four planes are those of a cone of revolution about s. *)
+Lemma solve (n0 n1 n2 s t : point K) :
+  volume n0 n1 n2 <> 0 -> dot3 n0 s = dot3 n0 t -> dot3 n1 s = dot3 n1 t -> dot3 n2 s = dot3 n2 t -> s = t.
+Proof.
+  intros D E0 E1 E2.
+  assert (C : forall x : point K, (volume n0 n1 n2 ** x)%P =
+    (dot3 n0 x ** cross3 n1 n2 + (dot3 n1 x ** cross3 n2 n0 + dot3 n2 x ** cross3 n0 n1))%P).
+  { intro x. unfold dot3, cross3. apply point_eq; [apply vec_eq | ]; spatial; ring. }
+  assert (F : (volume n0 n1 n2 ** s)%P = (volume n0 n1 n2 ** t)%P) by (rewrite (C s), (C t), E0, E1, E2; reflexivity).
+  assert (X := f_equal top F). assert (Z := f_equal pz F).
+  assert (X1 := f_equal vx X). assert (X2 := f_equal vy X). cbn [pscale scale top pz vx vy] in *.
+  apply point_eq; [apply vec_eq | ]; apply (equals_by K (volume n0 n1 n2)); assumption.
+Qed.
+
+Theorem offset_face_conical (n0 n1 n2 n3 : point K) :
+  volume n0 n1 n2 <> 0 ->
+  (coplanar n0 n1 n2 n3 <->
+   exists s, dot3 n0 s = 1 /\ dot3 n1 s = 1 /\ dot3 n2 s = 1 /\ dot3 n3 s = 1).
+Proof.
+  intro D. set (c := (cross3 n1 n2 + (cross3 n2 n0 + cross3 n0 n1))%P).
+  assert (E : forall x, dot3 x c = volume n0 n1 n2 + volume (n1 - n0) (n2 - n0) (x - n0))
+    by (intro x; unfold c, dot3, cross3; spatial; ring).
+  set (s := ((1 / volume n0 n1 n2) ** c)%P).
+  assert (F : forall x, dot3 x s = 1 + volume (n1 - n0) (n2 - n0) (x - n0) / volume n0 n1 n2).
+  { intro x. transitivity (dot3 x c / volume n0 n1 n2).
+    - unfold s, dot3. generalize (volume n0 n1 n2) D. intros d N. spatial. field. exact N.
+    - rewrite E. field. exact D. }
+  assert (Z0 : volume (n1 - n0) (n2 - n0) (n0 - n0) = 0) by (spatial; ring).
+  assert (Z1 : volume (n1 - n0) (n2 - n0) (n1 - n0) = 0) by (spatial; ring).
+  assert (Z2 : volume (n1 - n0) (n2 - n0) (n2 - n0) = 0) by (spatial; ring).
+  assert (S0 : dot3 n0 s = 1) by (rewrite F, Z0; field; exact D).
+  assert (S1 : dot3 n1 s = 1) by (rewrite F, Z1; field; exact D).
+  assert (S2 : dot3 n2 s = 1) by (rewrite F, Z2; field; exact D).
+  unfold coplanar. split.
+  - intro Z. exists s. repeat split; try assumption. rewrite F, Z. field. exact D.
+  - intros (t & T0 & T1 & T2 & T3).
+    assert (Q : t = s) by (apply (solve n0 n1 n2); congruence). subst t.
+    rewrite F in T3. apply (quotient_zero K _ (volume n0 n1 n2)); [exact D | ].
+    transitivity (1 + volume (n1 - n0) (n2 - n0) (n3 - n0) / volume n0 n1 n2 - 1); [ring | rewrite T3; ring].
 Qed.
 
 Theorem parallel_linear e (p q : point K) (a b : K) :
