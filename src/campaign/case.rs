@@ -7,8 +7,7 @@ use std::str::FromStr;
 use serde_json::{Value, json};
 
 use super::instance::Parts;
-use super::law::caught;
-use super::run::cases_of;
+use super::run::Runner;
 use super::{Property, property};
 use crate::claim::{self, Claim, Run, Seed, Stop};
 use crate::mesh::Mesh;
@@ -66,6 +65,26 @@ impl FromStr for Case {
 }
 
 impl Case {
+    /// Runs it.
+    ///
+    /// # Errors
+    /// Where it is excluded, or fails.
+    pub fn run(&self) -> Run {
+        Runner::new(self.property).run(self.seed, self.index, &mut Vec::new())
+    }
+
+    /// What it consists of, as it was drawn. Of a claim the numbers are that of the piece of evidence,
+    /// the size, and the unknowns; the meshes are those that the evidence shows.
+    pub fn parts(&self) -> Parts {
+        match self.property {
+            Property::Claim(claim) => {
+                let instance = claim::Instance::new(claim, self.seed, self.index);
+                instance.map_or_else(Parts::default, |instance| of_instance(claim, &instance))
+            }
+            Property::Law(law) => (law.cases)().parts(&self.seed.bytes(law.id, self.index)),
+        }
+    }
+
     /// How it fails, as it was drawn or made simpler; `None` where it does not fail.
     pub fn failure(&self, simpler: bool) -> Option<Failure> {
         let (parts, what) = match self.property {
@@ -79,12 +98,19 @@ impl Case {
     }
 }
 
+fn of_instance(claim: &Claim, instance: &claim::Instance<'_>) -> Parts {
+    let (evidence, size) = instance.place(claim);
+    let mut numbers: Vec<_> = [evidence, size].map(|n| Rational::from_i64(n as i64)).into();
+    let (unknowns, meshes) = instance.show();
+    numbers.extend(unknowns);
+    Parts { numbers, meshes }
+}
+
 fn of_claim(claim: &Claim, seed: Seed, index: u64, simpler: bool) -> Option<(Parts, String)> {
     let instance = claim::Instance::new(claim, seed, index)?;
-    let (evidence, _) = instance.place(claim);
     let failure = instance.failure(simpler)?;
-    let mut numbers = vec![evidence, failure.size].into_iter().map(|n| n as i64);
-    let mut numbers: Vec<_> = numbers.by_ref().map(Rational::from_i64).collect();
+    let place = [instance.place(claim).0, failure.size];
+    let mut numbers: Vec<_> = place.map(|n| Rational::from_i64(n as i64)).into();
     numbers.extend(failure.unknowns.iter().filter_map(|text| parse_fraction(text).ok()));
     let meshes = failure.meshes.iter().filter_map(|(_, text)| mesh_of(text));
     Some((Parts { numbers, meshes: meshes.collect() }, failure.what))
@@ -101,8 +127,7 @@ pub struct Failure {
     pub case: Case,
     /// What fails.
     pub what: String,
-    /// Its numbers and meshes. For a claim the numbers are that of the piece of evidence, the size, and
-    /// the unknowns.
+    /// Its numbers and meshes, see [`Case::parts`].
     pub parts: Parts,
 }
 
@@ -159,9 +184,9 @@ impl Failure {
                 let [evidence, size] =
                     [evidence, size].map(|n| usize::try_from(n.small_fraction()?.0).ok());
                 let instance = claim::Instance::given(claim, evidence?, size?, unknowns.to_vec())?;
-                Some(caught(|| instance.run(|_| ())))
+                Some(instance.run(|_| ()))
             }
-            Property::Law(law) => cases_of(law.id)?.again(self.parts.clone()),
+            Property::Law(law) => (law.cases)().again(self.parts.clone()),
         }
     }
 

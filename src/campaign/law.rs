@@ -1,13 +1,12 @@
 //! Laws: what holds on everything that a strategy makes.
 
 use std::fmt;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
 use super::instance::{Instance, Parts, Source};
-use crate::claim::{Run, Stop};
+use crate::claim::{Run, Stop, caught};
 
 /// A statement about the program that holds on all that a strategy makes.
 #[derive(Clone, Copy)]
@@ -31,6 +30,9 @@ impl fmt::Debug for Law {
 pub(super) trait Cases: Send + Sync {
     /// Runs the case of a seed; appends what it consists of.
     fn run(&self, seed: &[u8; 32], bytes: &mut Vec<u8>) -> Run;
+
+    /// What the case of a seed consists of.
+    fn parts(&self, seed: &[u8; 32]) -> Parts;
 
     /// The parts of a failing case with what fails, the simplest that is found in some attempts.
     fn failure(&self, seed: &[u8; 32], attempts: usize) -> Option<(Parts, String)>;
@@ -61,19 +63,9 @@ impl<S: Strategy<Value: Instance>> Drawn<S> {
         tree.map_err(|_| Stop::Excluded("the strategy makes nothing"))
     }
 
-    /// A panic is a failure.
     fn judged(&self, value: &S::Value) -> Run {
         caught(|| (self.judge)(value))
     }
-}
-
-/// Runs something; a panic is a failure.
-pub(super) fn caught(run: impl FnOnce() -> Run) -> Run {
-    catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|cause| {
-        let text = cause.downcast_ref::<String>().map(String::as_str);
-        let text = text.or(cause.downcast_ref::<&str>().copied()).unwrap_or("of unknown cause");
-        Err(Stop::Failed(format!("a panic: {text}").into()))
-    })
 }
 
 impl<S> Cases for Drawn<S>
@@ -84,6 +76,10 @@ where
         let value = self.tree(seed)?.current();
         parts_of(&value).write(bytes);
         self.judged(&value)
+    }
+
+    fn parts(&self, seed: &[u8; 32]) -> Parts {
+        self.tree(seed).map_or_else(|_| Parts::default(), |tree| parts_of(&tree.current()))
     }
 
     fn failure(&self, seed: &[u8; 32], attempts: usize) -> Option<(Parts, String)> {

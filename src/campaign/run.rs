@@ -7,10 +7,10 @@ use std::thread;
 
 use rayon::ThreadPoolBuilder;
 
+use super::Property;
 use super::digest::Digest;
 use super::instance::write_small;
-use super::law::{Cases, caught};
-use super::{Property, laws};
+use super::law::Cases;
 use crate::claim::{self, Claim, Run, Seed, Stop};
 
 /// So many cases of a property, from a seed.
@@ -67,13 +67,13 @@ impl Runner {
     }
 
     /// Runs one case; appends what it consists of.
-    fn run(&self, seed: Seed, index: u64, bytes: &mut Vec<u8>) -> Run {
+    pub fn run(&self, seed: Seed, index: u64, bytes: &mut Vec<u8>) -> Run {
         match self {
-            Runner::Claim(claim) => caught(|| {
+            Runner::Claim(claim) => {
                 let instance = claim::Instance::new(claim, seed, index);
                 let instance = instance.ok_or(Stop::Excluded("there are no instances"))?;
                 instance.run(|number| write_small(bytes, number.unwrap_or_default()))
-            }),
+            }
             Runner::Law(id, cases) => cases.run(&seed.bytes(id, index), bytes),
         }
     }
@@ -141,9 +141,4 @@ impl Campaign {
         bytes.push(outcome);
         tally.digest.add(&Digest::of(bytes));
     }
-}
-
-/// The cases of a law by its name.
-pub(super) fn cases_of(id: &str) -> Option<Box<dyn Cases>> {
-    laws::all().find(|law| law.id == id).map(|law| (law.cases)())
 }

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::draw::Seed;
-use super::trial::{Run, Stop, Trial};
+use super::trial::{Run, Stop, Trial, caught};
 use super::{Claim, Evidence};
 use crate::mesh::Mesh;
 use crate::mesh::file::{Format, Options as FileOptions, write_string};
@@ -108,6 +108,25 @@ impl<'a> Instance<'a> {
         }
     }
 
+    /// Its unknowns, and the meshes that the evidence shows.
+    pub fn show(&self) -> (Vec<Rational>, Vec<Mesh<Rational>>) {
+        fn shown<Q: RationalField>(
+            instance: &Instance<'_>,
+            run: fn(&mut Trial<Q>) -> Run,
+        ) -> (Vec<Rational>, Vec<Mesh<Rational>>) {
+            let mut trial = instance.trial();
+            // What it comes to is not asked here.
+            let _ = caught(|| run(&mut trial));
+            let meshes = trial.meshes.iter().map(|(_, mesh)| mesh.map(Q::convert));
+            (trial.unknowns.iter().map(Q::convert).collect(), meshes.collect())
+        }
+        if self.second {
+            shown(self, self.evidence.runs.big_rational)
+        } else {
+            shown(self, self.evidence.runs.rational)
+        }
+    }
+
     /// The failure, made small or as it is; `None` where there is none.
     pub fn failure(&self, simpler: bool) -> Option<Failure> {
         if self.second {
@@ -146,7 +165,7 @@ impl<'a> Instance<'a> {
 }
 
 fn judge<Q: RationalField>(trial: &mut Trial<Q>, run: fn(&mut Trial<Q>) -> Run) -> Run {
-    run(trial)?;
+    caught(|| run(trial))?;
     match trial.broken() {
         Some((what, residual)) => Err(Stop::Failed(format!("{what}: {residual}").into())),
         None if trial.goals.is_empty() => Err(Stop::Excluded("there is nothing to check")),

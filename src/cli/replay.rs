@@ -1,5 +1,6 @@
 //! `isogeo replay`: one case again, made small.
 
+use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -8,68 +9,84 @@ use serde_json::json;
 use super::arguments::{Layout, ReplayOptions};
 use super::failure::Failure;
 use super::{Status, output};
-use crate::campaign::{Campaign, Case, Failure as Found};
-use crate::claim::Stop;
+use crate::campaign::{Case, Failure as Found};
+use crate::claim::{Run, Stop};
 use crate::mesh::file::{self, Options};
 
-/// Runs the case and shows what fails.
+/// Runs the case and shows it, with what fails.
 pub fn run(options: &ReplayOptions, layout: Layout) -> Result<Status, Failure> {
     // A panic is a failing case, and is reported as that.
     std::panic::set_hook(Box::new(|_| {}));
-    let (found, outcome) = if Path::new(&options.case).is_file() {
-        from_file(&options.case, options.shrink)?
+    let (mut found, mut outcome) = match Path::new(&options.case).is_file() {
+        true => from_file(&options.case)?,
+        false => by_name(&options.case)?,
+    };
+    if options.shrink
+        && outcome.is_err()
+        && let Some(smaller) = found.case.failure(true)
+    {
+        outcome = Err(Stop::Failed(smaller.what.clone().into()));
+        found = smaller;
+    }
+    let (word, status) = match &outcome {
+        Ok(()) => ("holds", Status::Proved),
+        Err(Stop::Excluded(_)) => ("excluded", Status::Open),
+        Err(Stop::Failed(_)) => ("fails", Status::Refuted),
+    };
+    let test = (options.shrink && status == Status::Refuted).then(|| found.rust_test());
+    let written = write_meshes(options, &found, test.is_some())?;
+    if layout.is_json() {
+        output::print_json(&json!({
+            "schema": "isogeo.replay/1",
+            "outcome": word,
+            "case": found.to_json(),
+            "test": test,
+            "written": written,
+        }))?;
     } else {
-        by_name(&options.case, options.shrink)?
-    };
-    let Some(found) = found else {
-        let word = if outcome == Status::Open { "excluded" } else { "holds" };
-        report(layout, &options.case, word, None, &[])?;
-        return Ok(outcome);
-    };
-    let written = write_meshes(options, &found)?;
-    report(layout, &options.case, "fails", Some((&found, options.shrink)), &written)?;
-    Ok(Status::Refuted)
+        output::print(&text(&found, word, &written, test.as_deref()))?;
+    }
+    Ok(status)
 }
 
-type Outcome = Result<(Option<Found>, Status), Failure>;
-
-fn by_name(name: &str, shrink: bool) -> Outcome {
+fn by_name(name: &str) -> Result<(Found, Run), Failure> {
     let case: Case = name.parse().map_err(|why| {
         Failure::with_help(format!("'{name}': {why}"), "isogeo fuzz --list lists the properties")
     })?;
-    if let Some(found) = case.failure(shrink) {
-        return Ok((Some(found), Status::Refuted));
-    }
-    let Case { property, seed, index } = case;
-    let end = index.checked_add(1).ok_or_else(|| Failure::usage("there is no such index"))?;
-    let tally = Campaign { property, seed, cases: end }.tally(index..end, &|| false);
-    let holds = tally.is_some_and(|tally| tally.holds == 1);
-    Ok((None, if holds { Status::Proved } else { Status::Open }))
+    let outcome = case.run();
+    Ok((Found { case, what: words(&outcome), parts: case.parts() }, outcome))
 }
 
-/// What the file holds is run; it is made small by its name, if that still makes a failing case.
-fn from_file(path: &str, shrink: bool) -> Outcome {
+/// What the file holds is run, whatever would be drawn by its name.
+fn from_file(path: &str) -> Result<(Found, Run), Failure> {
     let text = fs::read_to_string(path).map_err(|e| Failure::io(format!("{path}: {e}")))?;
     let unfit = |why: String| Failure::usage(format!("{path}: {why}"));
     let mut found = Found::from_json(&text).map_err(|why| unfit(why.to_string()))?;
-    match found.again() {
-        None => Err(unfit("these are not the parts of such a case".into())),
-        Some(Ok(())) => Ok((None, Status::Proved)),
-        Some(Err(Stop::Excluded(_))) => Ok((None, Status::Open)),
-        Some(Err(Stop::Failed(why))) => {
-            found.what = why.into_owned();
-            let smaller = found.case.failure(true).filter(|_| shrink);
-            Ok((Some(smaller.unwrap_or(found)), Status::Refuted))
-        }
+    let outcome = found.again();
+    let outcome = outcome.ok_or_else(|| unfit("these are not the parts of such a case".into()))?;
+    found.what = words(&outcome);
+    Ok((found, outcome))
+}
+
+/// What fails, or which hypothesis does not hold.
+fn words(outcome: &Run) -> String {
+    match outcome {
+        Ok(()) => String::new(),
+        Err(Stop::Excluded(hypothesis)) => format!("not so: {hypothesis}"),
+        Err(Stop::Failed(why)) => why.to_string(),
     }
 }
 
-fn write_meshes(options: &ReplayOptions, found: &Found) -> Result<Vec<String>, Failure> {
+fn write_meshes(
+    options: &ReplayOptions,
+    found: &Found,
+    shrunk: bool,
+) -> Result<Vec<String>, Failure> {
     let name = || {
         let case = &found.case;
         PathBuf::from(format!("{}-{}.iso.json", case.property.id(), case.index))
     };
-    let Some(path) = options.output.clone().or_else(|| options.shrink.then(name)) else {
+    let Some(path) = options.output.clone().or_else(|| shrunk.then(name)) else {
         return Ok(Vec::new());
     };
     let mut written = Vec::new();
@@ -88,50 +105,36 @@ fn numbered(path: &Path, n: usize) -> PathBuf {
     path.with_file_name(format!("{stem}-{n}.{end}"))
 }
 
-fn report(
-    layout: Layout,
-    case: &str,
-    word: &str,
-    found: Option<(&Found, bool)>,
-    written: &[String],
-) -> Result<(), Failure> {
-    if layout.is_json() {
-        return output::print_json(&json!({
-            "schema": "isogeo.replay/1",
-            "case": case,
-            "outcome": word,
-            "failure": found.map(|(found, _)| found.to_json()),
-            "test": found.filter(|(_, shrunk)| *shrunk).map(|(found, _)| found.rust_test()),
-            "written": written,
-        }));
+fn text(found: &Found, word: &str, written: &[String], test: Option<&str>) -> String {
+    let word = if word == "fails" { "FAILS" } else { word };
+    let mut text = format!("{}: {word}\n{}\n", found.case, found.case.property.says());
+    // Writing to a string does not fail.
+    if !found.what.is_empty() {
+        let _ = writeln!(text, "  {}", found.what);
     }
-    let Some((found, shrunk)) = found else {
-        return output::print(&format!("{case}: {word}\n"));
-    };
-    let mut text =
-        format!("{}: FAILS\n{}\n  {}\n", found.case, found.case.property.says(), found.what);
     if !found.parts.numbers.is_empty() {
         let numbers: Vec<String> = found.parts.numbers.iter().map(|q| q.to_string()).collect();
-        text.push_str(&format!("  numbers: {}\n", numbers.join(" ")));
+        let _ = writeln!(text, "  numbers: {}", numbers.join(" "));
     }
-    for mesh in &found.parts.meshes {
+    for (mesh, n) in found.parts.meshes.iter().zip(1..) {
+        let faces = mesh.topology.face_count();
+        let _ = writeln!(text, "  mesh {n}, faces and vertices:");
         for face in mesh.topology.faces().take(12) {
             let corners = mesh.topology.face(face).iter().map(|v| {
                 let p = &mesh.points[v.index()];
                 format!("({}, {}, {})", p.x, p.y, p.z)
             });
-            text.push_str(&format!(
-                "  face {}: {}\n",
-                face.0,
-                corners.collect::<Vec<_>>().join(" ")
-            ));
+            let _ = writeln!(text, "    {}", corners.collect::<Vec<_>>().join(" "));
+        }
+        if faces > 12 {
+            let _ = writeln!(text, "    ... and {} more", faces - 12);
         }
     }
     for path in written {
-        text.push_str(&format!("  written: {path}\n"));
+        let _ = writeln!(text, "  written: {path}");
     }
-    if shrunk {
-        text.push_str(&format!("\n{}", found.rust_test()));
+    if let Some(test) = test {
+        let _ = write!(text, "\n{test}");
     }
-    output::print(&text)
+    text
 }

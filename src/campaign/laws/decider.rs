@@ -5,17 +5,19 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use proptest::prelude::*;
 
-use super::check;
+use super::{accepted, check};
 use crate::campaign::law::{Law, drawn};
 use crate::check::{Decide, Decider, Element, Plain, Reason, Report, Verdict};
 use crate::claim::Run;
+use crate::construct::minimal::MeshPair;
 use crate::mesh::{Mesh, VertexId};
 use crate::net::{Net, Property, RADIUS};
+use crate::pair::{Couple, PairProperty};
 use crate::scalar::{BigRational, Numeral, Rational, RationalField, Ring};
 use crate::space::Point;
 use crate::strategy::{
-    any_mesh, circular, conical, delaunay_graph, jittered, koebe, lattice, near_degenerate, number,
-    polygons, quad_patches, small, star,
+    any_mesh, circular, conical, delaunay_graph, f_parallel, i_minimal, jittered, koebe, lattice,
+    near_degenerate, number, polygons, quad_patches, small, star, v_parallel,
 };
 
 /// Everything but the choice of the worst element, which is made by rounded numbers.
@@ -73,6 +75,38 @@ fn agree((mesh, second): &(Mesh<Rational>, bool)) -> Run {
     }
 }
 
+type Pair = (Mesh<Rational>, Mesh<Rational>, bool);
+
+fn agree_on_pairs((m, s, second): &Pair) -> Run {
+    let compare = |property: PairProperty, slow: Findings| {
+        let [first, image] = [m, s].map(|mesh| Decider::of_rationals(&mesh.points));
+        let decider = first.followed_by(image);
+        let couple = accepted("a couple", Couple::new(&m.topology, &s.topology, &decider))?;
+        let fast = findings(couple.check(property));
+        check(fast == slow, || format!("{}: {fast:?}, by definition {slow:?}", property.name()))
+    };
+    let points = [m.points.as_slice(), &s.points].concat();
+    if *second {
+        let points: Vec<_> =
+            points.iter().map(|p| p.map(Rational::convert::<BigRational>)).collect();
+        let plain = Plain(&points);
+        let slow = accepted("a couple", Couple::new(&m.topology, &s.topology, &plain))?;
+        PairProperty::ALL.into_iter().try_for_each(|p| compare(p, findings(slow.check(p))))
+    } else {
+        let plain = Plain(&points);
+        let slow = accepted("a couple", Couple::new(&m.topology, &s.topology, &plain))?;
+        PairProperty::ALL.into_iter().try_for_each(|p| compare(p, findings(slow.check(p))))
+    }
+}
+
+/// Pairs of all kinds, of which either mesh may be nearly degenerate.
+fn pairs() -> impl Strategy<Value = Pair> {
+    let made = prop_oneof![f_parallel(), v_parallel(), i_minimal()];
+    made.prop_flat_map(|MeshPair { surface, gauss }| {
+        (near_degenerate(Just(surface)), near_degenerate(Just(gauss)), any::<bool>())
+    })
+}
+
 /// A number as it is printed with so many decimals.
 fn printed(number: &Rational, digits: u8) -> Numeral {
     let unit = BigInt::from(10).pow(digits.into());
@@ -128,6 +162,12 @@ pub(super) const LAWS: &[Law] = &[
         "triangle meshes and near them",
         prop_oneof![star(), lattice(), jittered(), delaunay_graph()]
     ),
+    Law {
+        id: "decider-pairs",
+        says: "the decider finds what the definition does on pairs of meshes and near them",
+        control: false,
+        cases: || drawn(pairs(), agree_on_pairs),
+    },
     Law {
         id: "boxes",
         says: "what is refuted in the boxes of printed digits is so before they are printed",

@@ -57,16 +57,17 @@ fn a_campaign_from_shards_to_its_digest() {
 #[test]
 fn a_counterexample_from_fuzz_to_a_test() {
     let shell = Shell::new();
-    let numbers = "control-meshes-are-planar";
+    let id = "control-meshes-are-planar";
     assert_snapshot!(shell.session(&[
-        &format!("fuzz {numbers} --seed 1 --cases 6 --out found"),
+        &format!("fuzz {id} --seed 2 --cases 6 --out found"),
         "merge found",
-        &format!("replay found/failures/{numbers}-1.json"),
-        &format!("replay {numbers}:1:1 --shrink"),
-        &format!("check {numbers}-1.iso.json --is planar"),
-        &format!("replay found/failures/{numbers}-1.json --shrink -o small.iso.json --format json"),
+        &format!("replay found/failures/{id}-0.json"),
+        &format!("replay {id}:2:0 --shrink"),
+        &format!("check {id}-0.iso.json --is planar"),
+        &format!("replay found/failures/{id}-0.json --shrink -o small.iso.json --format json"),
         "replay control-thm-1-v:1:7 --shrink -o kite.iso.json",
-        "replay double-dual:1:0",
+        "replay double-dual:1:3",
+        "replay eq-17-18:1:0 --format json",
     ]));
 }
 
