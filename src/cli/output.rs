@@ -10,7 +10,7 @@ use super::arguments::Layout;
 use super::failure::Failure;
 use super::words;
 use crate::mesh::Mesh;
-use crate::mesh::file::{self, Format, Options, Written};
+use crate::mesh::file::{self, Format, Options, STANDARD_OUTPUT, Written};
 use crate::scalar::Rational;
 
 /// Prints a text; a reader that has gone away is no error, a full disk is.
@@ -85,7 +85,7 @@ pub fn write_saying<'a>(
         let kept = if keeps_data(path, mesh) { "" } else { "; its data are left out" };
         format!("{}: {size}, written {how}{kept}\n", path.display())
     };
-    if path == Path::new("/dev/stdout") {
+    if path == Path::new(STANDARD_OUTPUT) {
         complain(&report);
         return Ok(());
     }

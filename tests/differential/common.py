@@ -68,7 +68,8 @@ class Comparison:
         self.options = parser.parse_args()
         self.options.isogeo = self.options.isogeo.resolve()
         self.compared, self.differences = {}, []
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="isogeo-differential-"))
+        self.temporary = tempfile.TemporaryDirectory(prefix="isogeo-differential-")
+        self.folder = pathlib.Path(self.temporary.name)
 
     def run(self, *arguments, codes=(0,)):
         """The report of the program on some arguments."""

@@ -113,7 +113,7 @@ def main():
                 if name in theirs:
                     undefined = {e.get("face", e.get("vertex")) for e in entry["undefined_at"]}
                     ours = sorted(e.get("face", e.get("vertex")) for e in entry["failures"])
-                    compare.same(f"{name}: elements that fail", ours, sorted(set(theirs[name]) - undefined))
+                    compare.same(f"{name}: meshes, all elements that fail", ours, sorted(set(theirs[name]) - undefined))
     # The determinants themselves by another library.
     dice = compare.dice
     for _ in range(20):

@@ -485,6 +485,15 @@ fn deep_json_is_an_error() {
     let deep = "[".repeat(1_000_000);
     let text = format!(r#"{{"format":"isogeo-mesh","certificate":{deep}"#);
     assert_eq!(&*parse(Format::IsoJson, &text).unwrap_err().code, "isogeo::json::syntax");
+    // The limit is where it is stated; the document itself is the first of the brackets.
+    let nested = |depth: usize| {
+        let [open, close] = ["[", "]"].map(|bracket| bracket.repeat(depth - 1));
+        let start = r#"{"format":"isogeo-mesh","version":1,"field":"QQ","vertices":[],"faces":[]"#;
+        parse(Format::IsoJson, &format!("{start},\"certificate\":{open}{close}}}"))
+    };
+    assert!(nested(127).is_ok());
+    let error = nested(128).unwrap_err();
+    assert_eq!(error.help.as_deref(), Some("brackets may be nested 127 deep"));
 }
 
 #[test]
@@ -578,6 +587,8 @@ fn a_file_appears_whole_or_not_at_all() {
     }
     assert_eq!(read(&path).unwrap().to_exact(ReadAs::Decimal).unwrap(), mesh);
     assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1, "no temporary file is left");
+    let longest = folder.join("m".repeat(251) + ".obj");
+    assert_eq!(write(longest, &mesh, &Options::default()).unwrap(), Written::Exact);
     let error = write(folder.join("no/such.obj"), &mesh, &Options::default()).unwrap_err();
     assert_eq!(&*error.code, "isogeo::file::io");
     std::fs::remove_dir_all(&folder).unwrap();

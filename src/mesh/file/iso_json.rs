@@ -138,6 +138,8 @@ fn no_document(source: &Source<'_>, error: &serde_json::Error) -> FileError {
     let error = source.error(kind, start.unwrap_or(end.saturating_sub(1))..end, message, "");
     if message.starts_with("invalid type: integer") || message.starts_with("invalid type: float") {
         error.help("exact numbers are strings: \"1/3\", \"-2\"")
+    } else if message == "recursion limit exceeded" {
+        error.help("brackets may be nested 127 deep")
     } else if message.starts_with("unknown ") {
         error.help("other information belongs under \"certificate\"")
     } else {

@@ -52,7 +52,7 @@ pub use error::{FileError, Place};
 pub use fraction::{FractionError, MAX_DIGITS, parse_fraction};
 pub use limits::Limits;
 pub use points::{PointFile, read_points, read_points_bytes, read_points_within};
-pub use write::{Options, Written, write, write_string, write_whole};
+pub use write::{Options, STANDARD_OUTPUT, Written, write, write_string, write_whole};
 
 /// A file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

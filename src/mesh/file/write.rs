@@ -24,6 +24,9 @@ pub struct Options {
     pub certificate: Option<serde_json::Value>,
 }
 
+/// The path that stands for the standard output of the process.
+pub const STANDARD_OUTPUT: &str = "/dev/stdout";
+
 /// Whether the coordinates in a file are those of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Written {
@@ -39,8 +42,8 @@ pub enum Written {
 /// OBJ, OFF and PLY hold decimals, and say that these are exact where every coordinate is a
 /// decimal of at most 40 digits; else all are rounded to the nearest double and printed as short
 /// as possible. VTU holds doubles. `data` go into `.iso.json` and VTU, the other formats hold
-/// geometry only. The file appears whole or not at all: see [`write_whole`]. A device or pipe whose
-/// name says no format, such as `/dev/stdout`, is sent an `.iso.json` file.
+/// geometry only. The file appears whole or not at all: see [`write_whole`]. [`STANDARD_OUTPUT`], and a
+/// device or pipe whose name says no format, is sent an `.iso.json` file.
 ///
 /// # Errors
 /// An unknown format, a coordinate beyond the range of doubles, a name that the format cannot
@@ -60,7 +63,10 @@ pub fn write<Q: RationalField>(
 
 /// The format in which a mesh is written to a path.
 fn format(path: &Path) -> Result<Format, FileError> {
-    let is_special = || fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir());
+    let is_special = || {
+        path == Path::new(STANDARD_OUTPUT)
+            || fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir())
+    };
     let format = Format::from_path(path).or_else(|| is_special().then_some(Format::IsoJson));
     format.ok_or_else(|| super::unknown_format(path))
 }
@@ -89,7 +95,7 @@ pub fn write_string<Q: RationalField>(
 ///
 /// A file that is there stays as it is until then, and keeps its permissions; one that may not be
 /// written to is not replaced. A symbolic link stays one. What is there and is no regular file (a
-/// device, a pipe) is written to as it is.
+/// device, a pipe), and [`STANDARD_OUTPUT`] whatever it is, is written to as it is.
 ///
 /// # Errors
 /// What the file system says; then there is no temporary file left.
@@ -98,6 +104,10 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     let failed = |e: io::Error| {
         FileError::new("io", "file", &name, format!("the file cannot be written: {e}"))
     };
+    if path == Path::new(STANDARD_OUTPUT) {
+        let mut out = io::stdout().lock();
+        return out.write_all(bytes).and_then(|()| out.flush()).map_err(failed);
+    }
     let old = fs::metadata(path).ok();
     if old.as_ref().is_some_and(|old| !old.is_file()) {
         return fs::write(path, bytes).map_err(failed);
@@ -138,12 +148,10 @@ fn destination(path: &Path) -> PathBuf {
 }
 
 fn temporary_beside(path: &Path) -> io::Result<(PathBuf, fs::File)> {
-    let name = path.file_name().ok_or(io::ErrorKind::InvalidFilename)?;
     let mut attempt = 0u32;
     loop {
-        let mut hidden = std::ffi::OsString::from(".");
-        hidden.push(name);
-        hidden.push(format!(".{}-{attempt}.tmp", std::process::id()));
+        // Not with the name of the file, which may be as long as names can be.
+        let hidden = format!(".isogeo-{}-{attempt}.tmp", std::process::id());
         let temporary = path.with_file_name(hidden);
         match fs::OpenOptions::new().write(true).create_new(true).open(&temporary) {
             Err(e) if e.kind() == io::ErrorKind::AlreadyExists && attempt < 1000 => attempt += 1,

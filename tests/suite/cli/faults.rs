@@ -216,9 +216,16 @@ fn links_pipes_and_devices_are_written_through() {
         assert!(fs::metadata(shell.path(null)).expect("a device").file_type().is_char_device());
     }
     assert_eq!(shell.line("convert kite.obj plain.iso.json").code, 0);
+    let plain_json = shell.cat("plain.iso.json");
     let run = shell.line("convert kite.obj /dev/stdout");
-    assert_eq!((run.code, run.out), (0, shell.cat("plain.iso.json")));
+    assert_eq!((run.code, &run.out), (0, &plain_json));
     assert!(run.err.starts_with("/dev/stdout: "), "{}", run.err);
+    // What is appended to stays.
+    shell.file("log", "above\n");
+    let log = fs::OpenOptions::new().append(true).open(shell.path("log")).expect("a file");
+    let status = shell.command(["convert", "kite.obj", "/dev/stdout"]).stdout(log).status();
+    assert!(status.expect("the program runs").success());
+    assert_eq!(shell.cat("log"), format!("above\n{plain_json}"));
 
     let made = Command::new("mkfifo").arg(shell.path("pipe.off")).status();
     assert!(made.expect("mkfifo").success());
