@@ -15,7 +15,7 @@ use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::scalar::ReadAs;
-pub use claims::{CertificateOptions, ClaimsCommand, ClaimsOptions, VerifyOptions};
+pub use claims::{CertificateOptions, ClaimsCommand, ClaimsOptions, System, VerifyOptions};
 #[cfg(feature = "optimise")]
 pub use design::{Approach, CertifyOptions, OptimizeOptions, Slide, Wish};
 pub use figures::{FigureKind, FigureOptions, ViewOptions};

@@ -138,10 +138,12 @@ impl Experiment for ConvexDiscriminant {
             let w = -&(&u + &v);
             edges.extend([u, v, w].map(|edge| (edge, factor.clone())));
         }
+        // A vector of length 0 has no direction.
+        edges.retain(|(edge, _)| !(edge.x.is_zero() && edge.y.is_zero()));
         edges.sort_by(|a, b| by_angle(&a.0, &b.0));
         let origin = TopView::new(T::zero(), T::zero());
         let (mut f, mut s) = (vec![origin.clone()], vec![origin]);
-        for (edge, factor) in &edges[1..] {
+        for (edge, factor) in edges.iter().skip(1) {
             f.push(&f[f.len() - 1] + edge);
             s.push(&s[s.len() - 1] + &edge.scaled(factor));
         }
