@@ -23,8 +23,10 @@
 //! | [`net`] | classes of mesh: planar, i-circular, i-conical, ... |
 //! | [`pair`] | pairs of meshes: parallel, f-parallel, v-parallel; curvatures, linear spaces |
 //! | [`construct`] | exact families, circle patterns, metric and Christoffel duals, Gauss images, images in Euclidean space, subdivision, Delaunay meshes of samples |
+//! | `strategy` (feature) | random meshes made by construction, for property tests |
 //! | `optimise` (feature) | meshes that are moved until they are in a class; exact meshes near them, and proofs that there are |
 //! | [`claim`] | the ledger: what the paper claims, decided for all inputs |
+//! | `campaign` (feature) | laws and claims on millions of random cases |
 //!
 //! # Example
 //!
@@ -44,6 +46,8 @@
 //! # Ok::<(), isogeo::mesh::file::FileError>(())
 //! ```
 
+#[cfg(feature = "campaigns")]
+pub mod campaign;
 pub mod check;
 pub mod claim;
 #[cfg(feature = "cli")]
@@ -57,6 +61,8 @@ pub mod optimise;
 pub mod pair;
 pub mod scalar;
 pub mod space;
+#[cfg(feature = "strategies")]
+pub mod strategy;
 
 #[doc = include_str!("../docs/notation.md")]
 pub mod notation {}

@@ -28,6 +28,13 @@ impl Seed {
         Seed(bytes)
     }
 
+    /// 32 bytes of their own for every purpose and index, to seed another generator with.
+    pub fn bytes(self, purpose: &str, index: u64) -> [u8; 32] {
+        let mut bytes = [0; 32];
+        self.source(purpose, index).0.fill_bytes(&mut bytes);
+        bytes
+    }
+
     /// A stream of its own for every purpose and index.
     pub(super) fn source(self, purpose: &str, index: u64) -> Source {
         // FNV-1a: which stream it is matters to nobody, only that they differ.

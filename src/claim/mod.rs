@@ -42,8 +42,8 @@ pub use evidence::{Evidence, Experiment, Identity, Runs};
 pub use example::{Example, example};
 pub use ledger::ledger;
 pub use mutant::{MutantTally, mutants};
-pub use sample::{Failure, Sampling};
-pub use trial::{Run, Stop, Trial};
+pub use sample::{Failure, Instance, Sampling};
+pub use trial::{Run, Stop, Trial, caught};
 pub use verify::{Options, PartReport, Report, Verdict, verify};
 
 /// How much is shown for a claim, in rising order.

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::mesh::Mesh;
 use crate::scalar::Field;
@@ -18,6 +19,18 @@ pub enum Stop {
 
 /// The result of a run.
 pub type Run = Result<(), Stop>;
+
+/// Runs something; a panic is a failure.
+///
+/// # Errors
+/// As the run, and where it panics.
+pub fn caught(run: impl FnOnce() -> Run) -> Run {
+    catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|cause| {
+        let text = cause.downcast_ref::<String>().map(String::as_str);
+        let text = text.or(cause.downcast_ref::<&str>().copied()).unwrap_or("of unknown cause");
+        Err(Stop::Failed(format!("a panic: {text}").into()))
+    })
+}
 
 /// A value that a run assumes not to be zero.
 #[derive(Clone, Debug)]

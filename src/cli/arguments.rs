@@ -1,9 +1,12 @@
 //! Commands and options.
 
+#[cfg(feature = "campaigns")]
+mod campaigns;
 mod claims;
 #[cfg(feature = "optimise")]
 mod design;
 mod figures;
+mod limits;
 mod pairs;
 mod spheres;
 mod subdivide;
@@ -15,10 +18,13 @@ use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::scalar::ReadAs;
+#[cfg(feature = "campaigns")]
+pub use campaigns::{FuzzOptions, MergeOptions, ReplayOptions};
 pub use claims::{CertificateOptions, ClaimsCommand, ClaimsOptions, System, VerifyOptions};
 #[cfg(feature = "optimise")]
 pub use design::{Approach, CertifyOptions, OptimizeOptions, Slide, Wish};
 pub use figures::{FigureKind, FigureOptions, ViewOptions};
+pub use limits::LimitOptions;
 pub use pairs::{
     At, ChristoffelOptions, CurvatureOptions, GaussKind, GaussOptions, MakeOptions, OffsetOptions,
 };
@@ -75,6 +81,12 @@ pub enum Command {
     Triangulate(TriangulateOptions),
     Accuracy(AccuracyOptions),
     Claims(ClaimsOptions),
+    #[cfg(feature = "campaigns")]
+    Fuzz(FuzzOptions),
+    #[cfg(feature = "campaigns")]
+    Merge(MergeOptions),
+    #[cfg(feature = "campaigns")]
+    Replay(ReplayOptions),
     #[cfg(feature = "optimise")]
     Optimize(OptimizeOptions),
     #[cfg(feature = "optimise")]
@@ -122,6 +134,8 @@ pub struct InputOptions {
     /// How its numbers are understood [default: rounded; decimal if the file says that it is exact]
     #[arg(long, value_enum, value_name = "READING")]
     pub read_as: Option<Reading>,
+    #[command(flatten)]
+    pub limits: LimitOptions,
 }
 
 /// Judge a mesh: a verdict for every property, with the worst element and its exact residual
@@ -260,6 +274,8 @@ pub struct TriangulateOptions {
     /// How numbers are understood
     #[arg(long, value_enum, value_name = "READING", default_value_t = Reading::Decimal)]
     pub read_as: Reading,
+    #[command(flatten)]
+    pub limits: LimitOptions,
     #[command(flatten)]
     pub output: OutputOptions,
 }

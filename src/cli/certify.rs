@@ -17,7 +17,7 @@ pub fn run(options: &CertifyOptions, layout: Layout) -> Result<Status, Failure> 
             "write an .iso.json file",
         ));
     }
-    let input = input::read_file(&options.mesh, Some(Reading::Double))?;
+    let input = input::read_file(&options.mesh, Some(Reading::Double), &options.limits)?;
     let goal = Goal::from(options.is);
     let pinned = match options.fix.as_deref().map(str::trim) {
         None => Pinned::Nothing,

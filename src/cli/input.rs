@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::arguments::{InputOptions, Reading};
+use super::arguments::{InputOptions, LimitOptions, Reading};
 use super::failure::Failure;
 use super::output;
 use crate::check::Decider;
@@ -24,7 +24,7 @@ pub struct Input {
 
 /// Reads the file that the options name.
 pub fn read(options: &InputOptions) -> Result<Input, Failure> {
-    read_file(&options.mesh, options.read_as)
+    read_file(&options.mesh, options.read_as, &options.limits)
 }
 
 /// Reads the second mesh of a pair with the mesh that was read by these options; without an option
@@ -32,7 +32,7 @@ pub fn read(options: &InputOptions) -> Result<Input, Failure> {
 ///
 /// That the meshes do not have the same faces is an error that says where.
 pub fn read_image(path: &Path, options: &InputOptions, mesh: &Input) -> Result<Input, Failure> {
-    let image = read_file(path, options.read_as)?;
+    let image = read_file(path, options.read_as, &options.limits)?;
     Misfit::<Rational>::of_topologies(mesh.topology(), image.topology()).map_err(|misfit| {
         Failure::with_help(
             format!("{} and {} are no pair: {misfit}", mesh.file.name, image.file.name),
@@ -43,10 +43,14 @@ pub fn read_image(path: &Path, options: &InputOptions, mesh: &Input) -> Result<I
 }
 
 /// Reads a file; without a reading, in its own.
-pub fn read_file(path: &Path, reading: Option<Reading>) -> Result<Input, Failure> {
+pub fn read_file(
+    path: &Path,
+    reading: Option<Reading>,
+    limits: &LimitOptions,
+) -> Result<Input, Failure> {
     let bytes = std::fs::metadata(path).map_or(0, |m| m.len() as usize);
     let bar = output::progress(bytes / 50, "reading");
-    let mut file = file::read(path)?;
+    let mut file = file::read_within(path, &limits.limits())?;
     bar.finish_and_clear();
     let read_as = match &file.coordinates {
         Coordinates::Rationals(_) => ReadAs::Decimal,

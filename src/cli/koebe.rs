@@ -8,7 +8,7 @@ use super::arguments::Layout;
 use super::failure::Failure;
 use super::{Status, output, words};
 use crate::construct::{CircleCondition, CirclePattern, Koebe, NoPattern};
-use crate::mesh::file::{self, Coordinates, Options};
+use crate::mesh::file::{self, Coordinates, Limits, Options};
 use crate::mesh::{FaceId, Mesh, Topology, VertexKind};
 use crate::net::RADIUS;
 use crate::scalar::{Approx, Numeral, Rational, Ring};
@@ -21,6 +21,7 @@ const HELP: &str = "mesh=FILE gives the combinatorics; with a boundary its radii
 pub fn run(
     parameters: &[(String, String)],
     directory: &Path,
+    limits: &Limits,
     layout: Layout,
 ) -> Result<Status, Failure> {
     let [mut mesh, mut outer] = [None, None];
@@ -32,7 +33,7 @@ pub fn run(
         }
     }
     let path = mesh.ok_or_else(|| Failure::with_help("koebe: which mesh?", HELP))?;
-    let file = file::read(path)?;
+    let file = file::read_within(path, limits)?;
     if let Some(reason) = no_disc(file.topology()) {
         let reason = format!("no i-Koebe mesh is sought: {reason}");
         return refuse(&file.name, &reason, Status::Open, layout);

@@ -18,7 +18,8 @@ use crate::scalar::{Ball, Rational, RationalField};
 /// Writes the surface, and its Gauss image where there is one.
 pub fn run(options: &MakeOptions, layout: Layout) -> Result<Status, Failure> {
     if options.family == "koebe" {
-        return koebe::run(&parameters(&options.parameters)?, &options.output, layout);
+        let limits = options.limits.limits();
+        return koebe::run(&parameters(&options.parameters)?, &options.output, &limits, layout);
     }
     let family = Family::from_name(&options.family).ok_or_else(|| {
         let known = Family::ALL.map(Family::name).join(", ") + ", koebe";

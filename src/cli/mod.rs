@@ -13,18 +13,27 @@ mod dual;
 mod existence;
 mod failure;
 mod figure;
+#[cfg(feature = "campaigns")]
+mod fuzz;
 mod gauss;
 mod info;
 mod input;
+#[cfg(any(feature = "optimise", feature = "campaigns"))]
+mod interruption;
 mod inversion;
 mod koebe;
 mod make;
+mod memory;
+#[cfg(feature = "campaigns")]
+mod merge;
 mod motion;
 mod numbers;
 mod offset;
 #[cfg(feature = "optimise")]
 mod optimize;
 mod output;
+#[cfg(feature = "campaigns")]
+mod replay;
 mod subdivide;
 mod transfer;
 mod triangulate;
@@ -51,7 +60,7 @@ enum Status {
     /// Nothing refuted, but not everything proved.
     Open,
     /// Somebody pressed Ctrl-C.
-    #[cfg(feature = "optimise")]
+    #[cfg(any(feature = "optimise", feature = "campaigns"))]
     Interrupted,
 }
 
@@ -62,7 +71,7 @@ impl From<Status> for ExitCode {
             Status::Refuted => 1,
             Status::BadInput => 2,
             Status::Open => 3,
-            #[cfg(feature = "optimise")]
+            #[cfg(any(feature = "optimise", feature = "campaigns"))]
             Status::Interrupted => 130,
         })
     }
@@ -114,6 +123,12 @@ fn run(arguments: Arguments) -> Result<Status, Failure> {
         Command::Triangulate(options) => triangulate::run(&options, layout),
         Command::Accuracy(options) => accuracy::run(&options, layout),
         Command::Claims(options) => claims::run(&options, layout),
+        #[cfg(feature = "campaigns")]
+        Command::Fuzz(options) => fuzz::run(&options, layout),
+        #[cfg(feature = "campaigns")]
+        Command::Merge(options) => merge::run(&options, layout),
+        #[cfg(feature = "campaigns")]
+        Command::Replay(options) => replay::run(&options, layout),
         #[cfg(feature = "optimise")]
         Command::Certify(options) => certify::run(&options, layout),
         #[cfg(feature = "optimise")]

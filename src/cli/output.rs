@@ -10,7 +10,7 @@ use super::arguments::Layout;
 use super::failure::Failure;
 use super::words;
 use crate::mesh::Mesh;
-use crate::mesh::file::{self, Format, Options, Written};
+use crate::mesh::file::{self, Format, Options, STANDARD_OUTPUT, Written};
 use crate::scalar::Rational;
 
 /// Prints a text; a reader that has gone away is no error, a full disk is.
@@ -39,7 +39,7 @@ pub fn complain(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
-/// Writes a mesh and says what was written.
+/// Writes a mesh and says what was written, on standard error if the mesh is on standard output.
 pub fn write(
     path: &Path,
     mesh: &Mesh<Rational>,
@@ -60,7 +60,7 @@ pub fn write_saying<'a>(
     let written = file::write(path, mesh, options)?;
     let exact = written == Written::Exact;
     let (vertices, faces) = (mesh.topology.vertex_count(), mesh.topology.face_count());
-    if layout.is_json() {
+    let report = if layout.is_json() {
         let mut report = serde_json::json!({
             "schema": "isogeo.written/1",
             "file": path.display().to_string(),
@@ -72,7 +72,7 @@ pub fn write_saying<'a>(
         for (key, value) in extra {
             report[key] = value;
         }
-        print_json(&report)
+        format!("{report:#}\n")
     } else {
         let is_json = Format::from_path(path) == Some(Format::IsoJson);
         let how = match (exact, options.rounded) {
@@ -83,8 +83,13 @@ pub fn write_saying<'a>(
         };
         let size = format!("{}, {}", words::vertices(vertices), words::count(faces, "face"));
         let kept = if keeps_data(path, mesh) { "" } else { "; its data are left out" };
-        print(&format!("{}: {size}, written {how}{kept}\n", path.display()))
+        format!("{}: {size}, written {how}{kept}\n", path.display())
+    };
+    if path == Path::new(STANDARD_OUTPUT) {
+        complain(&report);
+        return Ok(());
     }
+    print(&report)
 }
 
 /// Whether the format holds all that the mesh has beside its geometry.

@@ -8,7 +8,7 @@ use super::arguments::{Layout, Reading, TriangulateOptions};
 use super::failure::Failure;
 use super::{Status, output};
 use crate::construct::delaunay;
-use crate::mesh::file::{FileError, Options, Place, PointFile, read_points};
+use crate::mesh::file::{FileError, Options, Place, PointFile, read_points_within};
 use crate::scalar::{Numeral, Rational};
 use crate::space::{Expression, Point, TopView};
 
@@ -16,11 +16,11 @@ use crate::space::{Expression, Point, TopView};
 pub fn run(options: &TriangulateOptions, layout: Layout) -> Result<Status, Failure> {
     let mut exact = true;
     let (path, points) = match (&options.points, &options.sample, &options.at) {
-        (Some(path), None, None) => (path, given(path, options.read_as)?),
+        (Some(path), None, None) => (path, given(path, options)?),
         (None, Some(formula), Some(path)) => {
             let surface = expression(formula)?;
             exact = surface.is_rational();
-            (path, sampled(formula, &surface, path, options.read_as)?)
+            (path, sampled(formula, &surface, path, options)?)
         }
         _ => {
             return Err(Failure::with_help(
@@ -68,9 +68,9 @@ pub fn expression(formula: &str) -> Result<Expression, Failure> {
     })
 }
 
-fn given(path: &Path, reading: Reading) -> Result<Vec<Point<Rational>>, Failure> {
-    let file = read_points(path)?;
-    let read = reader(path, reading)?;
+fn given(path: &Path, options: &TriangulateOptions) -> Result<Vec<Point<Rational>>, Failure> {
+    let file = read_points_within(path, &options.limits.limits())?;
+    let read = reader(path, options.read_as)?;
     let points = file.points().ok_or_else(|| {
         Failure::with_help(
             format!("{}: there is no third column with heights", path.display()),
@@ -88,10 +88,10 @@ fn sampled(
     formula: &str,
     surface: &Expression,
     path: &Path,
-    reading: Reading,
+    options: &TriangulateOptions,
 ) -> Result<Vec<Point<Rational>>, Failure> {
-    let PointFile { top_views, .. } = read_points(path)?;
-    let read = reader(path, reading)?;
+    let PointFile { top_views, .. } = read_points_within(path, &options.limits.limits())?;
+    let read = reader(path, options.read_as)?;
     let point = |(i, at): (usize, &TopView<Numeral>)| {
         let at = TopView::new(read(i, &at.x)?, read(i, &at.y)?);
         let height = surface.height_at(&at).ok_or_else(|| {

@@ -13,7 +13,8 @@ use crate::scalar::Rational;
 
 /// Reads the meshes and writes the page.
 pub fn run(options: &ViewOptions, layout: Layout) -> Result<Status, Failure> {
-    let exact = |path: &PathBuf| Ok(input::read_file(path, options.read_as)?.exact());
+    let exact =
+        |path: &PathBuf| Ok(input::read_file(path, options.read_as, &options.limits)?.exact());
     let meshes = options.meshes.iter().map(exact).collect::<Result<Vec<_>, Failure>>()?;
     let gauss = options.gauss.as_ref().map(exact).transpose()?;
     let sights: Vec<Sight<'_>> = options

@@ -34,7 +34,8 @@ pub(super) struct Spread<X> {
 }
 
 /// Carries `start` from the element `first` to all others, breadth first, by
-/// `step(value, from, to, edge)`; further components start from their first elements.
+/// `step(value, from, to, edge)`; further components start from their first elements. Of no elements
+/// there is nothing to carry.
 pub(super) fn spread<X: Clone, E>(
     neighbours: &Neighbours,
     first: usize,
@@ -44,7 +45,8 @@ pub(super) fn spread<X: Clone, E>(
     let mut values: Vec<Option<X>> = vec![None; neighbours.len()];
     let mut parents: Vec<usize> = (0..neighbours.len()).collect();
     let mut queue = std::collections::VecDeque::new();
-    for root in std::iter::once(first).chain(0..neighbours.len()) {
+    let first = Some(first).filter(|&first| first < neighbours.len());
+    for root in first.into_iter().chain(0..neighbours.len()) {
         if values[root].is_none() {
             values[root] = Some(start.clone());
             queue.push_back((root, start.clone()));

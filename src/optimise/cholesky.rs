@@ -2,6 +2,7 @@
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::perm::PermRef;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering,
     factorize_symbolic_cholesky,
@@ -38,17 +39,22 @@ pub struct Cholesky {
 }
 
 impl Cholesky {
-    /// Analyses the pattern of a lower triangle, by columns.
+    /// Analyses the pattern of a lower triangle, by columns, with a given order of elimination, or one of
+    /// least degrees.
     ///
     /// # Errors
     /// [`NoFactor::OutOfMemory`].
-    pub fn analyse(starts: &[u32], rows: &[u32]) -> Result<Self, NoFactor> {
+    pub fn analyse(starts: &[u32], rows: &[u32], order: Option<&[u32]>) -> Result<Self, NoFactor> {
         let size = starts.len() - 1;
         let pattern = SymbolicSparseColMatRef::new_checked(size, size, starts, None, rows);
+        let mut inverse = vec![0; size];
+        let ordering = order.map_or(SymmetricOrdering::Amd, |order| {
+            (0..).zip(order).for_each(|(place, row)| inverse[*row as usize] = place);
+            SymmetricOrdering::Custom(PermRef::new_checked(order, &inverse, size))
+        });
         let params = CholeskySymbolicParams::default();
-        let symbolic =
-            factorize_symbolic_cholesky(pattern, Side::Lower, SymmetricOrdering::Amd, params)
-                .map_err(|_| NoFactor::OutOfMemory)?;
+        let symbolic = factorize_symbolic_cholesky(pattern, Side::Lower, ordering, params)
+            .map_err(|_| NoFactor::OutOfMemory)?;
         let par = Par::rayon(0);
         let scratch = symbolic
             .factorize_numeric_llt_scratch::<f64>(par, Default::default())
@@ -81,6 +87,11 @@ impl Cholesky {
             Default::default(),
         );
         found.map(|_| ()).map_err(|_| NoFactor::NotPositive)
+    }
+
+    /// The number of entries of the factor, with those zeros that are stored.
+    pub fn entries(&self) -> usize {
+        self.values.len()
     }
 
     /// Solves with the factor that was computed last.

@@ -31,7 +31,7 @@ impl<'a> Compromise<'a> {
         mobility: &'a [Mobility],
     ) -> Result<Self, NoFactor> {
         let matrix = BlockMatrix::new([hard, soft], mobility.len());
-        let factor = Cholesky::analyse(&matrix.starts, &matrix.rows)?;
+        let factor = Cholesky::analyse(&matrix.starts, &matrix.rows, None)?;
         Ok(Compromise { hard, soft, mobility, matrix, factor, damping: f64::EPSILON })
     }
 

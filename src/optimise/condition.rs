@@ -38,30 +38,33 @@ pub trait Conditions: Send + Sync {
         gradient: &mut [Vector3<f64>],
     ) -> f64;
 
-    /// The function that shall vanish over other numbers, if it is a polynomial.
+    /// The function that shall vanish over other numbers, if it is one polynomial at all places.
     fn polynomial(&self) -> Option<Polynomial> {
         None
     }
 }
 
-/// The same residual at many places.
+/// Conditions of one kind: at each place a function that shall vanish.
 #[derive(Clone, Debug)]
-pub struct Everywhere<R, const K: usize> {
-    /// What it asks for.
+pub struct Each<R, const K: usize> {
+    /// What they ask for.
     pub name: &'static str,
-    /// The polynomial.
-    pub residual: R,
-    /// Where it shall vanish.
-    pub places: Vec<[VertexId; K]>,
+    /// The places and the functions.
+    pub places: Vec<([VertexId; K], R)>,
 }
 
-impl<R: Differentiable<K>, const K: usize> Everywhere<R, K> {
-    fn corners(&self, condition: usize, points: &[Point<f64>]) -> [Point<f64>; K] {
-        self.places[condition].map(|v| points[v.index()])
+impl<R: Copy, const K: usize> Each<R, K> {
+    /// The same function at all places.
+    pub fn everywhere(
+        name: &'static str,
+        function: R,
+        places: impl IntoIterator<Item = [VertexId; K]>,
+    ) -> Self {
+        Each { name, places: places.into_iter().map(|place| (place, function)).collect() }
     }
 }
 
-impl<R: Differentiable<K>, const K: usize> Conditions for Everywhere<R, K> {
+impl<R: Differentiable<K>, const K: usize> Conditions for Each<R, K> {
     fn name(&self) -> &'static str {
         self.name
     }
@@ -71,15 +74,17 @@ impl<R: Differentiable<K>, const K: usize> Conditions for Everywhere<R, K> {
     }
 
     fn points(&self, condition: usize) -> &[VertexId] {
-        &self.places[condition]
+        &self.places[condition].0
     }
 
     fn value(&self, condition: usize, points: &[Point<f64>]) -> f64 {
-        self.residual.value(&self.corners(condition, points))
+        let (at, function) = &self.places[condition];
+        function.value(&at.map(|v| points[v.index()]))
     }
 
     fn scale(&self, condition: usize, points: &[Point<f64>]) -> f64 {
-        self.residual.scale(&self.corners(condition, points))
+        let (at, function) = &self.places[condition];
+        function.scale(&at.map(|v| points[v.index()]))
     }
 
     fn linearise(
@@ -88,12 +93,13 @@ impl<R: Differentiable<K>, const K: usize> Conditions for Everywhere<R, K> {
         points: &[Point<f64>],
         gradient: &mut [Vector3<f64>],
     ) -> f64 {
-        let (value, slopes) = self.residual.gradient(&self.corners(condition, points));
+        let (at, function) = &self.places[condition];
+        let (value, slopes) = function.gradient(&at.map(|v| points[v.index()]));
         gradient[..K].copy_from_slice(&slopes);
         value
     }
 
     fn polynomial(&self) -> Option<Polynomial> {
-        self.residual.polynomial()
+        self.places.first()?.1.polynomial()
     }
 }

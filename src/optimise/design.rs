@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::cholesky::NoFactor;
 use super::compromise::Compromise;
-use super::energy::{Closeness, Shape, fairness};
+use super::curve::OnCurve;
+use super::energy::{closeness, fairness, shape};
 use super::frame::Frame;
 use super::report::{Ending, Stage, Step};
 use super::system::System;
@@ -36,6 +37,9 @@ pub struct Design {
     pub target: Option<Arc<Target>>,
     /// How each vertex may move.
     pub mobility: Vec<Mobility>,
+    /// Closed lines of vertices that stay on the polygons that they form at the start. What moves
+    /// [along a line](Mobility::Along) there is first let go along it.
+    pub curves: Vec<Vec<VertexId>>,
     /// How the conditions are approached.
     pub method: Method,
     /// The most steps of each stage.
@@ -87,12 +91,17 @@ impl Design {
             shape: 10.0,
             target: None,
             mobility: vec![Mobility::Free; vertices],
+            curves: Vec::new(),
             method: Method::Joint,
             steps: 50,
         }
     }
 
     /// Moves the vertices of a mesh.
+    ///
+    /// Each step is the shortest one to where the conditions hold, as far as they are linear. Where that leads
+    /// some vertex farther than an edge, the compromise between conditions and closeness is tried,
+    /// too, and the mesh that moved less is kept.
     ///
     /// Coordinates are taken from the middle of the mesh in a unit of its size: nothing depends on either. `go_on` sees every
     /// step, and ends the work where it says no: then the best points so far are returned.
@@ -148,37 +157,64 @@ impl Design {
         frame: &Frame,
         log: &mut impl FnMut(&Step) -> bool,
     ) -> Result<Ending, NoFactor> {
-        let mut system = System::new(self.goal.conditions(topology, points));
+        let start = points.clone();
+        let system = System::new(self.goal.conditions(topology, points));
         let wishes = self.fairness > 0.0 || self.target.is_some();
         if wishes || self.shape > 0.0 && self.is_far(&system, topology, points) {
-            let stopped = self.compromise(topology, points, frame, log)?;
-            if stopped {
+            if self.compromise(self.shape, topology, points, frame, log)? {
                 return Ok(Ending::Stopped);
             }
-            system = System::new(self.goal.conditions(topology, points));
+            return self.project(&start, topology, points, log);
         }
-        if let (Method::TwoStage, Some(conditions)) =
+        let ending = self.project(&start, topology, points, log)?;
+        let way = |points: &[Point<f64>]| Movement::between(&start, points);
+        if ending != Ending::Converged || way(points).largest < mean_edge(topology, &start) {
+            return Ok(ending);
+        }
+        // The shortest steps have not led along the shortest way.
+        let mut nearer = start.clone();
+        if let Ok(false) = self.compromise(0.0, topology, &mut nearer, frame, log)
+            && let Ok(Ending::Converged) = self.project(&start, topology, &mut nearer, log)
+            && way(&nearer).rms < way(points).rms
+        {
+            *points = nearer;
+        }
+        Ok(ending)
+    }
+
+    /// Moves the points along shortest steps to where the conditions hold, and those on curves to them.
+    fn project(
+        &self,
+        start: &[Point<f64>],
+        topology: &Topology,
+        points: &mut Vec<Point<f64>>,
+        log: &mut impl FnMut(&Step) -> bool,
+    ) -> Result<Ending, NoFactor> {
+        let conditions = |goal: Goal| goal.conditions(topology, points);
+        let mut stages: Vec<(Stage, _, Restriction)> = Vec::new();
+        if let (Method::TwoStage, Some(in_top_view)) =
             (self.method, self.goal.top_view_conditions(topology))
         {
-            let stages = [
-                (Stage::TopView, System::new(conditions), Mobility::in_top_view as fn(&_) -> _),
-                (
-                    Stage::Heights,
-                    System::new(Goal::Planar.conditions(topology, points)),
-                    Mobility::in_height,
-                ),
-            ];
-            for (stage, system, part) in stages {
-                let mobility: Vec<_> = self.mobility.iter().map(part).collect();
-                let ending =
-                    Projection::new(&system, &mobility)?.run(points, self.steps, stage, &mut *log);
-                if ending == Ending::Stopped {
-                    return Ok(ending);
-                }
+            stages.push((Stage::TopView, in_top_view, Mobility::in_top_view));
+            stages.push((Stage::Heights, conditions(Goal::Planar), Mobility::in_height));
+        }
+        stages.push((Stage::Projection, conditions(self.goal), Mobility::clone));
+        if !self.curves.is_empty() {
+            let mut on_curves = conditions(self.goal);
+            on_curves.push(Box::new(OnCurve::new(&self.curves, start)));
+            stages.push((Stage::Projection, on_curves, Mobility::off_line));
+        }
+        let mut ending = Ending::Converged;
+        for (stage, conditions, part) in stages {
+            let system = System::new(conditions);
+            let mobility: Vec<_> = self.mobility.iter().map(part).collect();
+            let mut projection = Projection::new(&system, &mobility, points)?;
+            ending = projection.run(points, self.steps, stage, &mut *log);
+            if ending == Ending::Stopped {
+                break;
             }
         }
-        let mut projection = Projection::new(&system, &self.mobility)?;
-        Ok(projection.run(points, self.steps, Stage::Projection, log))
+        Ok(ending)
     }
 
     /// Whether some condition is farther from holding than a part of an edge: then the shortest way to it may
@@ -190,9 +226,11 @@ impl Design {
         worst.iter().any(|w| w.distance > PART * mean_edge(topology, points))
     }
 
-    /// Whether somebody stopped it.
+    /// Moves the points to where the conditions nearly hold, with the change of edges weighed; whether somebody
+    /// stopped it.
     fn compromise(
         &self,
+        weight_of_shape: f64,
         topology: &Topology,
         points: &mut Vec<Point<f64>>,
         frame: &Frame,
@@ -203,15 +241,15 @@ impl Design {
             let weight = self.fairness.sqrt();
             energies.extend(fairness(topology).into_iter().map(|kind| (kind, Some(weight))));
         }
-        if self.shape > 0.0 {
-            energies.push((Box::new(Shape::new(topology, points)), Some(self.shape.sqrt())));
+        if weight_of_shape > 0.0 {
+            energies.push((shape(topology, points), Some(weight_of_shape.sqrt())));
         }
         match &self.target {
             Some(target) => {
                 let distance = VerticalDistance::new(target.clone(), *frame, points.len());
                 energies.push((Box::new(distance), Some(1.0)));
             }
-            None => energies.push((Box::new(Closeness::new(points)), Some(1.0))),
+            None => energies.push((closeness(points), Some(1.0))),
         }
         let soft = System::weighted(energies);
         let edge = mean_edge(topology, points);
@@ -234,6 +272,9 @@ impl Design {
         Ok(false)
     }
 }
+
+/// What a stage leaves of the directions in which a point may move.
+type Restriction = fn(&Mobility) -> Mobility;
 
 /// From 1 to 8^7 conditions weigh more and more.
 const HARDNESSES: i32 = 8;

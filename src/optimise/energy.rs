@@ -1,7 +1,7 @@
 //! What a mesh shall be as far as its conditions leave freedom: fair, close to where it was or to a
 //! target.
 
-use super::condition::{Conditions, Everywhere};
+use super::condition::{Conditions, Each};
 use super::gradient::Differentiable;
 use crate::mesh::{Topology, VertexId, VertexKind};
 use crate::space::{Point, Vector3};
@@ -16,6 +16,13 @@ struct SecondDifference {
 #[derive(Clone, Copy, Debug)]
 struct ForkedDifference {
     axis: usize,
+}
+
+/// What a coordinate, or its difference between two points, is more than it was.
+#[derive(Clone, Copy, Debug)]
+struct Along {
+    axis: usize,
+    from: f64,
 }
 
 fn unit(axis: usize, length: f64) -> Vector3<f64> {
@@ -53,6 +60,34 @@ impl Differentiable<4> for ForkedDifference {
     }
 }
 
+impl Differentiable<1> for Along {
+    fn value(self, [p]: &[Point<f64>; 1]) -> f64 {
+        p.coordinates()[self.axis] - self.from
+    }
+
+    fn scale(self, [p]: &[Point<f64>; 1]) -> f64 {
+        p.coordinates()[self.axis].abs() + self.from.abs()
+    }
+
+    fn gradient(self, points: &[Point<f64>; 1]) -> (f64, [Vector3<f64>; 1]) {
+        (self.value(points), [unit(self.axis, 1.0)])
+    }
+}
+
+impl Differentiable<2> for Along {
+    fn value(self, [a, b]: &[Point<f64>; 2]) -> f64 {
+        (b.coordinates()[self.axis] - a.coordinates()[self.axis]) - self.from
+    }
+
+    fn scale(self, points: &[Point<f64>; 2]) -> f64 {
+        points.iter().map(|p| 2.0 * p.coordinates()[self.axis].abs()).sum()
+    }
+
+    fn gradient(self, points: &[Point<f64>; 2]) -> (f64, [Vector3<f64>; 2]) {
+        (self.value(points), [-1.0, 1.0].map(|weight| unit(self.axis, weight)))
+    }
+}
+
 /// Second differences along the polylines of a mesh: through opposite edges of interior vertices, and along the
 /// boundary, corners left out.
 ///
@@ -85,12 +120,10 @@ pub fn fairness(topology: &Topology) -> Vec<Box<dyn Conditions>> {
     }
     let mut kinds: Vec<Box<dyn Conditions>> = Vec::new();
     for axis in 0..3 {
-        let places = straight.clone();
-        let residual = SecondDifference { axis };
-        kinds.push(Box::new(Everywhere { name: "fairness", residual, places }));
-        let places = forked.clone();
-        let residual = ForkedDifference { axis };
-        kinds.push(Box::new(Everywhere { name: "fairness", residual, places }));
+        let places = straight.iter().copied();
+        kinds.push(Box::new(Each::everywhere("fairness", SecondDifference { axis }, places)));
+        let places = forked.iter().copied();
+        kinds.push(Box::new(Each::everywhere("fairness", ForkedDifference { axis }, places)));
     }
     kinds.retain(|kind| !kind.is_empty());
     kinds
@@ -98,105 +131,20 @@ pub fn fairness(topology: &Topology) -> Vec<Box<dyn Conditions>> {
 
 /// The change of each edge from what it was, along each axis: it is small where a mesh moves smoothly, and no
 /// edge vanishes.
-pub struct Shape {
-    edges: Vec<[VertexId; 2]>,
-    from: Vec<Vector3<f64>>,
+pub fn shape(topology: &Topology, points: &[Point<f64>]) -> Box<dyn Conditions> {
+    let place = |h| {
+        let ends = [topology.origin(h), topology.target(h)];
+        let [a, b] = ends.map(|v| points[v.index()].coordinates().map(|c| *c));
+        (0..3).map(move |axis| (ends, Along { axis, from: b[axis] - a[axis] }))
+    };
+    Box::new(Each { name: "shape", places: topology.edges().flat_map(place).collect() })
 }
 
-impl Shape {
-    /// The shape of a mesh with these points.
-    pub fn new(topology: &Topology, points: &[Point<f64>]) -> Self {
-        let ends = |h| [topology.origin(h), topology.target(h)];
-        let edges: Vec<_> = topology.edges().map(ends).collect();
-        let from = edges.iter().map(|[a, b]| &points[b.index()] - &points[a.index()]).collect();
-        Shape { edges, from }
-    }
-}
-
-impl Conditions for Shape {
-    fn name(&self) -> &'static str {
-        "shape"
-    }
-
-    fn len(&self) -> usize {
-        3 * self.edges.len()
-    }
-
-    fn points(&self, condition: usize) -> &[VertexId] {
-        &self.edges[condition / 3]
-    }
-
-    fn value(&self, condition: usize, points: &[Point<f64>]) -> f64 {
-        let (edge, axis) = (condition / 3, condition % 3);
-        let [a, b] = self.edges[edge].map(|v| *points[v.index()].coordinates()[axis]);
-        let from = &self.from[edge];
-        (b - a) - [from.x, from.y, from.z][axis]
-    }
-
-    fn scale(&self, condition: usize, points: &[Point<f64>]) -> f64 {
-        let ends =
-            self.edges[condition / 3].map(|v| points[v.index()].coordinates()[condition % 3].abs());
-        2.0 * (ends[0] + ends[1])
-    }
-
-    fn linearise(
-        &self,
-        condition: usize,
-        points: &[Point<f64>],
-        gradient: &mut [Vector3<f64>],
-    ) -> f64 {
-        gradient[0] = unit(condition % 3, -1.0);
-        gradient[1] = unit(condition % 3, 1.0);
-        self.value(condition, points)
-    }
-}
-
-/// The displacement of each vertex from a place, along each axis.
-pub struct Closeness {
-    places: Vec<VertexId>,
-    from: Vec<Point<f64>>,
-}
-
-impl Closeness {
-    /// Close to where the points are.
-    pub fn new(points: &[Point<f64>]) -> Self {
-        Closeness {
-            places: (0..points.len() as u32).map(VertexId).collect(),
-            from: points.to_vec(),
-        }
-    }
-}
-
-impl Conditions for Closeness {
-    fn name(&self) -> &'static str {
-        "closeness"
-    }
-
-    fn len(&self) -> usize {
-        3 * self.places.len()
-    }
-
-    fn points(&self, condition: usize) -> &[VertexId] {
-        std::slice::from_ref(&self.places[condition / 3])
-    }
-
-    fn value(&self, condition: usize, points: &[Point<f64>]) -> f64 {
-        let at = |points: &[Point<f64>]| *points[condition / 3].coordinates()[condition % 3];
-        at(points) - at(&self.from)
-    }
-
-    fn scale(&self, condition: usize, points: &[Point<f64>]) -> f64 {
-        let size = |points: &[Point<f64>]| points[condition / 3].coordinates()[condition % 3].abs();
-        size(points) + size(&self.from)
-    }
-
-    fn linearise(
-        &self,
-        condition: usize,
-        points: &[Point<f64>],
-        gradient: &mut [Vector3<f64>],
-    ) -> f64 {
-        gradient[0] = unit(condition % 3, 1.0);
-        self.value(condition, points)
-    }
+/// The displacement of each vertex from where it was, along each axis.
+pub fn closeness(points: &[Point<f64>]) -> Box<dyn Conditions> {
+    let place = |(v, p): (u32, &Point<f64>)| {
+        let from = p.coordinates().map(|c| *c);
+        (0..3).map(move |axis| ([VertexId(v)], Along { axis, from: from[axis] }))
+    };
+    Box::new(Each { name: "closeness", places: (0..).zip(points).flat_map(place).collect() })
 }

@@ -1,7 +1,7 @@
 //! What a mesh shall become, as conditions.
 
 use super::angle::{AnglesAround, AnglesInSpace, OppositeAngles};
-use super::condition::{Conditions, Everywhere};
+use super::condition::{Conditions, Each};
 use super::gradient::Differentiable;
 use crate::mesh::{FaceId, Topology, VertexId};
 use crate::net::Property;
@@ -137,7 +137,7 @@ fn everywhere<R: Differentiable<K> + 'static, const K: usize>(
     residual: R,
     places: Vec<[VertexId; K]>,
 ) -> Box<dyn Conditions> {
-    Box::new(Everywhere { name, residual, places })
+    Box::new(Each::everywhere(name, residual, places))
 }
 
 /// Three corners far apart with each other corner, for all faces.

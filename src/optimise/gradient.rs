@@ -69,10 +69,11 @@ fn sizes<const K: usize>(points: &[Point<f64>; K]) -> [Point<Magnitude<f64>>; K]
     })
 }
 
-/// Residuals whose derivatives come from dual numbers.
-macro_rules! by_dual_numbers {
-    ($($residual:ident, $k:literal;)*) => {$(
+/// Residuals that are polynomials, with their derivatives.
+macro_rules! differentiable {
+    ($($residual:ident, $k:literal, |$this:ident, $points:ident| $gradient:expr;)*) => {$(
         impl Differentiable<$k> for $residual {
+            #[inline]
             fn value(self, points: &[Point<f64>; $k]) -> f64 {
                 self.eval(points, &1.0)
             }
@@ -81,8 +82,10 @@ macro_rules! by_dual_numbers {
                 self.eval(&sizes(points), &Magnitude(1.0)).0
             }
 
-            fn gradient(self, points: &[Point<f64>; $k]) -> (f64, [Vector3<f64>; $k]) {
-                by_dual_numbers(points, |p| self.eval(p, &Dual::constant(1.0)))
+            #[inline]
+            fn gradient(self, $points: &[Point<f64>; $k]) -> (f64, [Vector3<f64>; $k]) {
+                let $this = self;
+                $gradient
             }
 
             fn polynomial(self) -> Option<Polynomial> {
@@ -92,109 +95,67 @@ macro_rules! by_dual_numbers {
     )*};
 }
 
-by_dual_numbers! {
-    ConcyclicGradients, 12;
-    ConcyclicInSpace, 4;
+differentiable! {
+    Coplanar, 4, |_this, p| coplanar(p);
+    Concyclic, 4, |_this, p| concyclic(p);
+    Balance, 5, |_this, p| balance(p);
+    ConcyclicGradients, 12, |this, p| by_dual_numbers(p, |p| this.eval(p, &Dual::constant(1.0)));
+    ConcyclicInSpace, 4, |this, p| by_dual_numbers(p, |p| this.eval(p, &Dual::constant(1.0)));
 }
 
-impl Differentiable<4> for Coplanar {
-    fn polynomial(self) -> Option<Polynomial> {
-        Some(Polynomial::Coplanar(self))
-    }
-
-    #[inline]
-    fn value(self, points: &[Point<f64>; 4]) -> f64 {
-        self.eval(points, &1.0)
-    }
-
-    fn scale(self, points: &[Point<f64>; 4]) -> f64 {
-        self.eval(&sizes(points), &Magnitude(1.0)).0
-    }
-
-    /// The cofactors of the determinant: normals of the triangles of the other points.
-    #[inline]
-    fn gradient(self, [p, a, b, c]: &[Point<f64>; 4]) -> (f64, [Vector3<f64>; 4]) {
-        let (a, b, c) = (a - p, b - p, c - p);
-        let [u, v, w] = [b.cross(&c), c.cross(&a), a.cross(&b)];
-        let own = (&(&u + &v) + &w).scaled(&-1.0);
-        (a.dot(&u), [own, u, v, w])
-    }
+/// The cofactors of the determinant: normals of the triangles of the other points.
+#[inline]
+fn coplanar([p, a, b, c]: &[Point<f64>; 4]) -> (f64, [Vector3<f64>; 4]) {
+    let (a, b, c) = (a - p, b - p, c - p);
+    let [u, v, w] = [b.cross(&c), c.cross(&a), a.cross(&b)];
+    let own = (&(&u + &v) + &w).scaled(&-1.0);
+    (a.dot(&u), [own, u, v, w])
 }
 
-impl Differentiable<4> for Concyclic {
-    fn polynomial(self) -> Option<Polynomial> {
-        Some(Polynomial::Concyclic(self))
-    }
-
-    #[inline]
-    fn value(self, points: &[Point<f64>; 4]) -> f64 {
-        self.eval(points, &1.0)
-    }
-
-    fn scale(self, points: &[Point<f64>; 4]) -> f64 {
-        self.eval(&sizes(points), &Magnitude(1.0)).0
-    }
-
-    /// With `n = |x'|²` the determinant has the rows `(x, y, n)`: its cofactors and the chain rule.
-    #[inline]
-    fn gradient(self, [p, a, b, c]: &[Point<f64>; 4]) -> (f64, [Vector3<f64>; 4]) {
-        let lift = |q: &Point<f64>| {
-            let view = (q - p).top_view();
-            Vector3 { x: view.x, y: view.y, z: view.length2() }
-        };
-        let [a, b, c] = [a, b, c].map(lift);
-        let [u, v, w] = [c.cross(&b), a.cross(&c), b.cross(&a)];
-        let slope = |lifted: &Vector3<f64>, cofactor: &Vector3<f64>| Vector3 {
-            x: cofactor.x + 2.0 * lifted.x * cofactor.z,
-            y: cofactor.y + 2.0 * lifted.y * cofactor.z,
-            z: 0.0,
-        };
-        let [u1, v1, w1] = [slope(&a, &u), slope(&b, &v), slope(&c, &w)];
-        let own = Vector3 { x: -u1.x - v1.x - w1.x, y: -u1.y - v1.y - w1.y, z: 0.0 };
-        (a.dot(&u), [own, u1, v1, w1])
-    }
+/// With `n = |x'|²` the determinant has the rows `(x, y, n)`: its cofactors and the chain rule.
+#[inline]
+fn concyclic([p, a, b, c]: &[Point<f64>; 4]) -> (f64, [Vector3<f64>; 4]) {
+    let lift = |q: &Point<f64>| {
+        let view = (q - p).top_view();
+        Vector3 { x: view.x, y: view.y, z: view.length2() }
+    };
+    let [a, b, c] = [a, b, c].map(lift);
+    let [u, v, w] = [c.cross(&b), a.cross(&c), b.cross(&a)];
+    let slope = |lifted: &Vector3<f64>, cofactor: &Vector3<f64>| Vector3 {
+        x: cofactor.x + 2.0 * lifted.x * cofactor.z,
+        y: cofactor.y + 2.0 * lifted.y * cofactor.z,
+        z: 0.0,
+    };
+    let [u1, v1, w1] = [slope(&a, &u), slope(&b, &v), slope(&c, &w)];
+    let own = Vector3 { x: -u1.x - v1.x - w1.x, y: -u1.y - v1.y - w1.y, z: 0.0 };
+    (a.dot(&u), [own, u1, v1, w1])
 }
 
-impl Differentiable<5> for Balance {
-    fn polynomial(self) -> Option<Polynomial> {
-        Some(Polynomial::Balance(self))
-    }
-
-    #[inline]
-    fn value(self, points: &[Point<f64>; 5]) -> f64 {
-        self.eval(points, &1.0)
-    }
-
-    fn scale(self, points: &[Point<f64>; 5]) -> f64 {
-        self.eval(&sizes(points), &Magnitude(1.0)).0
-    }
-
-    /// `Im(e₀ e₂ \overline{e₁ e₃})` is linear in each edge: the derivative by `e₀` is the imaginary part
-    /// of what multiplies it.
-    #[inline]
-    fn gradient(self, [v, x @ ..]: &[Point<f64>; 5]) -> (f64, [Vector3<f64>; 5]) {
-        let e: [Vector2<f64>; 4] = from_fn(|i| (&x[i] - v).top_view());
-        let times = |a: &Vector2<f64>, b: &Vector2<f64>| Vector2 {
-            x: a.x * b.x - a.y * b.y,
-            y: a.x * b.y + a.y * b.x,
-        };
-        let conjugate = |a: Vector2<f64>| Vector2 { x: a.x, y: -a.y };
-        let (even, odd) = (times(&e[0], &e[2]), times(&e[1], &e[3]));
-        // Im(e f) changes by Im f and Re f with the parts of e; Im(f ē) by Im f and −Re f.
-        let plain = |f: Vector2<f64>| Vector3 { x: f.y, y: f.x, z: 0.0 };
-        let barred = |f: Vector2<f64>| Vector3 { x: f.y, y: -f.x, z: 0.0 };
-        let bar = conjugate(odd);
-        let slopes = [
-            plain(times(&e[2], &bar)),
-            barred(times(&even, &conjugate(e[3]))),
-            plain(times(&e[0], &bar)),
-            barred(times(&even, &conjugate(e[1]))),
-        ];
-        let sum = |f: fn(&Vector3<f64>) -> f64| -slopes.iter().map(f).sum::<f64>();
-        let own = Vector3 { x: sum(|s| s.x), y: sum(|s| s.y), z: 0.0 };
-        let [s0, s1, s2, s3] = slopes;
-        (odd.det(&even), [own, s0, s1, s2, s3])
-    }
+/// `Im(e₀ e₂ \overline{e₁ e₃})` is linear in each edge: the derivative by `e₀` is the imaginary part of what
+/// multiplies it.
+#[inline]
+fn balance([v, x @ ..]: &[Point<f64>; 5]) -> (f64, [Vector3<f64>; 5]) {
+    let e: [Vector2<f64>; 4] = from_fn(|i| (&x[i] - v).top_view());
+    let times = |a: &Vector2<f64>, b: &Vector2<f64>| Vector2 {
+        x: a.x * b.x - a.y * b.y,
+        y: a.x * b.y + a.y * b.x,
+    };
+    let conjugate = |a: Vector2<f64>| Vector2 { x: a.x, y: -a.y };
+    let (even, odd) = (times(&e[0], &e[2]), times(&e[1], &e[3]));
+    // Im(e f) changes by Im f and Re f with the parts of e; Im(f ē) by Im f and −Re f.
+    let plain = |f: Vector2<f64>| Vector3 { x: f.y, y: f.x, z: 0.0 };
+    let barred = |f: Vector2<f64>| Vector3 { x: f.y, y: -f.x, z: 0.0 };
+    let bar = conjugate(odd);
+    let slopes = [
+        plain(times(&e[2], &bar)),
+        barred(times(&even, &conjugate(e[3]))),
+        plain(times(&e[0], &bar)),
+        barred(times(&even, &conjugate(e[1]))),
+    ];
+    let sum = |f: fn(&Vector3<f64>) -> f64| -slopes.iter().map(f).sum::<f64>();
+    let own = Vector3 { x: sum(|s| s.x), y: sum(|s| s.y), z: 0.0 };
+    let [s0, s1, s2, s3] = slopes;
+    (odd.det(&even), [own, s0, s1, s2, s3])
 }
 
 impl Differentiable<12> for ConcyclicNormals {

@@ -49,6 +49,14 @@ impl Mobility {
         }
     }
 
+    /// The same without a line to move along.
+    pub fn off_line(&self) -> Mobility {
+        match self {
+            Mobility::Along(_) => Mobility::Free,
+            other => *other,
+        }
+    }
+
     /// What is left of it over a given top view.
     pub fn in_height(&self) -> Mobility {
         match self {

@@ -2,7 +2,10 @@
 
 use rayon::prelude::*;
 
+use super::cholesky::{Cholesky, NoFactor};
+use super::dissection::dissect;
 use super::system::{Linearisation, System};
+use crate::space::Point;
 
 /// The lower triangle of `J Jᵀ` by columns.
 #[derive(Clone, Debug)]
@@ -19,6 +22,9 @@ pub struct NormalMatrix {
 }
 
 const CHUNK: usize = 256;
+
+/// From how many rows on two orders of elimination are tried.
+const LARGE: usize = 50_000;
 
 impl NormalMatrix {
     /// The pattern: two rows meet if they share a point. Linear in the number of pairs that do.
@@ -58,6 +64,23 @@ impl NormalMatrix {
         let rows = columns.concat();
         let values = vec![0.0; rows.len()];
         NormalMatrix { starts, rows, values, incident, incident_starts }
+    }
+
+    /// Finds an order of elimination and the pattern of the factor: that of least degrees, or, of large
+    /// matrices, nested dissection where its factor has fewer entries.
+    ///
+    /// # Errors
+    /// [`NoFactor::OutOfMemory`].
+    pub fn analyse(&self, system: &System, points: &[Point<f64>]) -> Result<Cholesky, NoFactor> {
+        if system.rows() < LARGE {
+            return Cholesky::analyse(&self.starts, &self.rows, None);
+        }
+        let (dissected, least) = rayon::join(
+            || Cholesky::analyse(&self.starts, &self.rows, Some(&dissect(system, points))),
+            || Cholesky::analyse(&self.starts, &self.rows, None),
+        );
+        let (dissected, least) = (dissected?, least?);
+        Ok(if dissected.entries() < least.entries() { dissected } else { least })
     }
 
     /// Computes the entries, with `damping` added to the diagonal. Rows without a gradient become

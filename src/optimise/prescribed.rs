@@ -2,58 +2,13 @@
 //!
 //! A pair is optimised as one list of points, M followed by S, as pairs are checked.
 
-use super::condition::Conditions;
+use super::condition::{Conditions, Each};
 use super::gradient::{Differentiable, by_dual_numbers};
 use crate::check::Residual;
 use crate::mesh::{FaceId, Topology, VertexId};
 use crate::pair::{ParallelPlanes, Ray, four_mixed_areas, star_forms, twice_area};
 use crate::scalar::{Dual, Magnitude, Ring};
 use crate::space::{Point, TopView, Vector3};
-
-/// Conditions of one kind in which each place has its own function.
-#[derive(Clone, Debug)]
-pub struct Each<R, const K: usize> {
-    /// What they ask for.
-    pub name: &'static str,
-    /// The places and the functions that shall vanish there.
-    pub places: Vec<([VertexId; K], R)>,
-}
-
-impl<R: Differentiable<K>, const K: usize> Conditions for Each<R, K> {
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn len(&self) -> usize {
-        self.places.len()
-    }
-
-    fn points(&self, condition: usize) -> &[VertexId] {
-        &self.places[condition].0
-    }
-
-    fn value(&self, condition: usize, points: &[Point<f64>]) -> f64 {
-        let (at, function) = &self.places[condition];
-        function.value(&at.map(|v| points[v.index()]))
-    }
-
-    fn scale(&self, condition: usize, points: &[Point<f64>]) -> f64 {
-        let (at, function) = &self.places[condition];
-        function.scale(&at.map(|v| points[v.index()]))
-    }
-
-    fn linearise(
-        &self,
-        condition: usize,
-        points: &[Point<f64>],
-        gradient: &mut [Vector3<f64>],
-    ) -> f64 {
-        let (at, function) = &self.places[condition];
-        let (value, slopes) = function.gradient(&at.map(|v| points[v.index()]));
-        gradient[..K].copy_from_slice(&slopes);
-        value
-    }
-}
 
 /// `4 area(F, S) − 4 H area(F)`: zero iff a face has the mean curvature H (17). The first half of the points
 /// are the corners of F, the second those of S.

@@ -28,9 +28,13 @@ impl<'a> Projection<'a> {
     ///
     /// # Errors
     /// Where the memory does not suffice.
-    pub fn new(system: &'a System, mobility: &'a [Mobility]) -> Result<Self, NoFactor> {
+    pub fn new(
+        system: &'a System,
+        mobility: &'a [Mobility],
+        points: &[Point<f64>],
+    ) -> Result<Self, NoFactor> {
         let matrix = NormalMatrix::new(system, mobility.len());
-        let factor = Cholesky::analyse(&matrix.starts, &matrix.rows)?;
+        let factor = matrix.analyse(system, points)?;
         Ok(Projection {
             system,
             mobility,
@@ -91,7 +95,8 @@ impl<'a> Projection<'a> {
         if self.is_factorised && gain < SMALL_GAIN {
             let mut y = at.residuals.clone();
             self.factor.solve(&mut y);
-            if let Some(next) = self.shift(points, at, &y, SMALL_GAIN * SMALL_GAIN * before) {
+            let bound = ENOUGH * ENOUGH * before;
+            if let Some(next) = self.shift(points, at, &y, &[1.0], bound) {
                 return Some(next);
             }
         }
@@ -102,7 +107,8 @@ impl<'a> Projection<'a> {
             if self.is_factorised {
                 let mut y = at.residuals.clone();
                 self.factor.solve(&mut y);
-                if let Some(next) = self.shift(points, at, &y, before) {
+                // A shorter step where the whole one is too long for the linearisation.
+                if let Some(next) = self.shift(points, at, &y, &[1.0, 0.5, 0.25, 0.125], before) {
                     return Some(next);
                 }
             }
@@ -113,17 +119,17 @@ impl<'a> Projection<'a> {
         }
     }
 
-    /// Moves along `−Jᵀ y`, as far as it brings the squares of the distances below a bound.
+    /// Moves along the first of some parts of `−Jᵀ y` that brings the squares of the distances below a bound.
     fn shift(
         &mut self,
         points: &[Point<f64>],
         at: &Linearisation,
         y: &[f64],
+        parts: &[f64],
         bound: f64,
     ) -> Option<(Vec<Point<f64>>, Linearisation)> {
         let shift = self.system.transposed(at, y, points.len());
-        // A shorter step where the whole one is too long for the linearisation.
-        for part in [1.0, 0.5, 0.25, 0.125] {
+        for &part in parts {
             let moved = moved(points, &shift, -part);
             let after = norm2(&self.system.residuals(&moved, &at.lengths));
             if after < bound {
@@ -138,9 +144,12 @@ impl<'a> Projection<'a> {
     }
 }
 
-/// What a step has to leave of the distances for the last factor to be used again: solving is so much
-/// cheaper than a new factor.
-const SMALL_GAIN: f64 = 1.0 / 8.0;
+/// What a step has to leave of the distances for the last factor to be tried again: after others the matrix
+/// has changed too much where it is nearly singular.
+const SMALL_GAIN: f64 = 1.0 / 4096.0;
+
+/// What a step with the last factor has to leave to be taken: solving is so much cheaper than a new factor.
+const ENOUGH: f64 = 1.0 / 8.0;
 
 /// What is left of a distance when coordinates are rounded.
 fn rounding(points: &[Point<f64>]) -> f64 {

@@ -74,22 +74,18 @@ impl ReadAs {
 pub enum NumeralError {
     /// Not of the form `[sign] digits [. digits] [e [sign] digits]`.
     Syntax,
-    /// More than [`Numeral::MAX_DIGITS`] digits.
-    TooManyDigits,
-    /// An exponent beyond ±[`Numeral::MAX_EXPONENT`].
-    ExponentTooLarge,
+    /// More digits than this limit.
+    TooManyDigits(usize),
+    /// An exponent beyond plus or minus this limit.
+    ExponentTooLarge(usize),
 }
 
 impl fmt::Display for NumeralError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             NumeralError::Syntax => write!(f, "not a decimal number"),
-            NumeralError::TooManyDigits => {
-                write!(f, "a number of more than {} digits", Numeral::MAX_DIGITS)
-            }
-            NumeralError::ExponentTooLarge => {
-                write!(f, "an exponent beyond ±{}", Numeral::MAX_EXPONENT)
-            }
+            NumeralError::TooManyDigits(most) => write!(f, "a number of more than {most} digits"),
+            NumeralError::ExponentTooLarge(most) => write!(f, "an exponent beyond ±{most}"),
         }
     }
 }
@@ -97,10 +93,11 @@ impl fmt::Display for NumeralError {
 impl std::error::Error for NumeralError {}
 
 impl Numeral {
-    /// The most digits a numeral may have.
+    /// The most digits of a numeral, and the largest size of its decimal exponent, where nothing else
+    /// is said.
     pub const MAX_DIGITS: usize = 10_000;
-    /// The largest size of a decimal exponent.
-    pub const MAX_EXPONENT: i32 = 10_000;
+    /// The most that [`parse`](Numeral::parse) can be told to take.
+    pub const MOST_DIGITS: usize = 100_000_000;
 
     /// A finite double taken exactly; its unit is its unit in the last place. `None` for NaN and
     /// infinities.
@@ -216,6 +213,24 @@ impl std::str::FromStr for Numeral {
     type Err = NumeralError;
 
     fn from_str(text: &str) -> Result<Numeral, NumeralError> {
+        Numeral::parse(text, Numeral::MAX_DIGITS)
+    }
+}
+
+impl Numeral {
+    /// The numeral that a text is, with at most so many digits, and an exponent of at most that size.
+    ///
+    /// ```
+    /// use isogeo::scalar::{Numeral, NumeralError};
+    /// assert_eq!(Numeral::parse("-1.25e3", 3), "-1.25e3".parse());
+    /// assert_eq!(Numeral::parse("0.125", 3), Err(NumeralError::TooManyDigits(3)));
+    /// assert_eq!(Numeral::parse("1e-4", 3), Err(NumeralError::ExponentTooLarge(3)));
+    /// ```
+    ///
+    /// # Errors
+    /// See [`NumeralError`]. A limit above [`MOST_DIGITS`](Numeral::MOST_DIGITS) counts as that.
+    pub fn parse(text: &str, most_digits: usize) -> Result<Numeral, NumeralError> {
+        let most = most_digits.min(Numeral::MOST_DIGITS);
         let bytes = text.as_bytes();
         let (negative, mut rest) = match bytes {
             [b'-', rest @ ..] => (true, rest),
@@ -245,12 +260,12 @@ impl std::str::FromStr for Numeral {
         if digits == 0 {
             return Err(NumeralError::Syntax);
         }
-        if digits > Numeral::MAX_DIGITS {
-            return Err(NumeralError::TooManyDigits);
+        if digits > most {
+            return Err(NumeralError::TooManyDigits(most));
         }
         let mut exponent = match rest {
             [] => 0,
-            [b'e' | b'E', power @ ..] => parse_exponent(power)?,
+            [b'e' | b'E', power @ ..] => parse_exponent(power, most)?,
             _ => return Err(NumeralError::Syntax),
         };
         exponent -= (digits - point.unwrap_or(digits)) as i32;
@@ -265,7 +280,7 @@ impl std::str::FromStr for Numeral {
     }
 }
 
-fn parse_exponent(text: &[u8]) -> Result<i32, NumeralError> {
+fn parse_exponent(text: &[u8], most: usize) -> Result<i32, NumeralError> {
     let (negative, digits) = match text {
         [b'-', rest @ ..] => (true, rest),
         [b'+', rest @ ..] => (false, rest),
@@ -275,8 +290,9 @@ fn parse_exponent(text: &[u8]) -> Result<i32, NumeralError> {
         return Err(NumeralError::Syntax);
     }
     let size = digits.iter().try_fold(0i32, |n, d| {
+        // Both fit: at most `MOST_DIGITS` so far.
         let n = n * 10 + i32::from(d - b'0');
-        (n <= Numeral::MAX_EXPONENT).then_some(n).ok_or(NumeralError::ExponentTooLarge)
+        (n as usize <= most).then_some(n).ok_or(NumeralError::ExponentTooLarge(most))
     })?;
     Ok(if negative { -size } else { size })
 }

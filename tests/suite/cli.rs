@@ -1,11 +1,15 @@
 //! The program, run as its users run it: what every command prints, kept as snapshots.
 
+#[cfg(feature = "campaigns")]
+mod campaigns;
 #[cfg(feature = "optimise")]
 mod certify;
 mod claims;
 mod contract;
 mod curvature;
 mod damage;
+#[cfg(unix)]
+mod faults;
 mod invariance;
 mod koebe;
 mod make;

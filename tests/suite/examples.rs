@@ -4,6 +4,8 @@
 mod delaunay_gauss_image;
 #[path = "../../examples/shell.rs"]
 mod shell;
+#[path = "../../examples/your_identity.rs"]
+mod your_identity;
 
 use std::fs;
 use std::path::Path;
@@ -24,4 +26,9 @@ fn the_shipped_meshes_are_those_that_the_example_makes() {
 fn samples_become_curvatures() {
     let report = delaunay_gauss_image::report().expect("the example runs");
     insta::assert_snapshot!(report);
+}
+
+#[test]
+fn an_identity_of_your_own_holds() {
+    your_identity::holds();
 }

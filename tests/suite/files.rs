@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use isogeo::mesh::file::{
-    Coordinates, FileError, Format, MeshFile, Options, Written, clear_denominators, read,
-    read_bytes, write, write_string,
+    Coordinates, FileError, Format, Limits, MeshFile, Options, Written, clear_denominators, read,
+    read_bytes, read_bytes_within, read_points_bytes, write, write_string,
 };
 use isogeo::mesh::{FaceList, Mesh};
 use isogeo::scalar::{Approx, Field, Rational, RationalField, ReadAs};
@@ -485,6 +485,74 @@ fn deep_json_is_an_error() {
     let deep = "[".repeat(1_000_000);
     let text = format!(r#"{{"format":"isogeo-mesh","certificate":{deep}"#);
     assert_eq!(&*parse(Format::IsoJson, &text).unwrap_err().code, "isogeo::json::syntax");
+    // The limit is where it is stated; the document itself is the first of the brackets.
+    let nested = |depth: usize| {
+        let [open, close] = ["[", "]"].map(|bracket| bracket.repeat(depth - 1));
+        let start = r#"{"format":"isogeo-mesh","version":1,"field":"QQ","vertices":[],"faces":[]"#;
+        parse(Format::IsoJson, &format!("{start},\"certificate\":{open}{close}}}"))
+    };
+    assert!(nested(127).is_ok());
+    let error = nested(128).unwrap_err();
+    assert_eq!(error.help.as_deref(), Some("brackets may be nested 127 deep"));
+}
+
+#[test]
+fn numbers_beyond_the_limits_are_refused_and_read_if_asked_for() {
+    let start = r#"{"format":"isogeo-mesh","version":1,"field":"QQ","#;
+    let ply = "ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\n\
+        property double z\nend_header\n";
+    let long = "7".repeat(1_000_000);
+    let texts = [
+        (Format::Obj, "v 0 0 1e999999999".to_owned()),
+        (Format::Obj, "v 0 0 1\nv 0 1e-999999999 2".to_owned()),
+        (Format::Off, format!("OFF\n1 0 0\n0 {long} 0\n")),
+        (Format::Ply, format!("{ply}0 0.{long} 0\n")),
+        (
+            Format::IsoJson,
+            format!("{start}\n\"vertices\":[[\"0\",\"{long}/3\",\"0\"]],\"faces\":[]}}"),
+        ),
+        (
+            Format::IsoJson,
+            format!("{start}\n\"vertices\":[[\"0\",\"1/{long}\",\"0\"]],\"faces\":[]}}"),
+        ),
+        (
+            Format::IsoJson,
+            format!("{start}\n\"vertices\":[],\"faces\":[],\"certificate\":{long}}}"),
+        ),
+        (Format::IsoJson, format!("{start}\n\"vertices\":[],\"faces\":[[{long}]]}}")),
+    ];
+    let mut out = String::new();
+    for (format, text) in &texts {
+        let error = parse(*format, text).expect_err(text);
+        assert_eq!(&*error.code, format!("isogeo::{}::limit", format.name()));
+        writeln!(out, "{}", report(&error).replace(&"7".repeat(100), "7…")).unwrap();
+    }
+    let error = read_points_bytes("test", b"0 0 0\n0 0 1e-10001\n").unwrap_err();
+    writeln!(out, "{}", report(&error)).unwrap();
+    insta::assert_snapshot!("beyond_the_limits", out);
+
+    // With the zero before the point.
+    let limits = Limits { digits: 1_000_001, ..Limits::default() };
+    for (format, text) in &texts[2..6] {
+        let file = read_bytes_within("test", *format, text.as_bytes(), &limits).expect("within");
+        let mesh = file.to_exact(ReadAs::Decimal).unwrap();
+        let y = &mesh.points[0].y;
+        assert!(y.numerator().bits() > 3_000_000 || y.denominator().bits() > 3_000_000);
+        let fewer = Limits { digits: 999_999, ..limits };
+        assert!(read_bytes_within("test", *format, text.as_bytes(), &fewer).is_err());
+    }
+}
+
+#[test]
+fn words_that_fit_no_header_line_are_no_notes() {
+    // A file with such a comment could be read, but not be converted.
+    let text = b"# isogeo: co\x9crds=exact a=b c=\xc3\xa9 d=\x01 =e f=\n\
+        v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let file = read_bytes("test", Format::Obj, text).unwrap();
+    assert_eq!(file.notes, [("a".to_owned(), "b".to_owned())].into());
+    let mesh = file.to_exact(ReadAs::Decimal).unwrap();
+    let options = Options { notes: file.notes, ..Options::default() };
+    assert!(write_string("test", Format::Obj, &mesh, &options).is_ok());
 }
 
 #[test]
@@ -519,6 +587,8 @@ fn a_file_appears_whole_or_not_at_all() {
     }
     assert_eq!(read(&path).unwrap().to_exact(ReadAs::Decimal).unwrap(), mesh);
     assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1, "no temporary file is left");
+    let longest = folder.join("m".repeat(251) + ".obj");
+    assert_eq!(write(longest, &mesh, &Options::default()).unwrap(), Written::Exact);
     let error = write(folder.join("no/such.obj"), &mesh, &Options::default()).unwrap_err();
     assert_eq!(&*error.code, "isogeo::file::io");
     std::fs::remove_dir_all(&folder).unwrap();

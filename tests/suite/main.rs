@@ -1,5 +1,7 @@
 //! The one test binary: laws, values, files, reports, and the rules of the house.
 
+#[cfg(feature = "campaigns")]
+mod campaigns;
 mod circle_pattern;
 mod claims;
 #[cfg(feature = "cli")]
@@ -25,7 +27,9 @@ mod png;
 mod proofs;
 mod scalars;
 mod space;
+mod strategies;
 mod subdivision;
+mod theory;
 mod topology;
 mod transfer;
 mod triangulate;

@@ -6,3 +6,4 @@ mod exact;
 mod existence;
 mod goals;
 mod rationalise;
+mod shapes;

@@ -313,3 +313,14 @@ fn a_star_in_doubles() {
     assert_eq!(image.mesh.topology.face_count(), 1);
     assert!(image.mesh.points.iter().all(|p| plane.distance(p).abs() < 1e-12));
 }
+
+#[test]
+fn a_mesh_without_faces_has_images_without_vertices() {
+    // Found by the campaign of `tau-edge-offset`: values were carried from the first of no elements.
+    let none = Mesh::<Q>::new(Vec::new(), FaceList::new()).expect("no faces are a mesh");
+    assert_eq!(isothermic_image(&none, &[]).map(|image| image.points), Ok(Vec::new()));
+    let dual = isogeo::construct::christoffel_by_radii(&none, &[]);
+    assert_eq!(dual.map(|dual| dual.mesh.points), Ok(Vec::new()));
+    let dual = isogeo::construct::christoffel_by_diagonals(&none);
+    assert_eq!(dual.map(|dual| dual.mesh.points), Ok(Vec::new()));
+}

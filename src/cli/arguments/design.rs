@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::limits::LimitOptions;
 use super::{InputOptions, OutputOptions};
 
 /// Move the vertices of a mesh until it is planar, i-circular or i-conical
@@ -16,7 +17,7 @@ it was or to a target (by vertical distance), with the shape (the change of edge
 which the property is observed; --rationalize makes an exact mesh near it, in which it is proved, and
 --certify proves that an exact mesh with the property lies within a printed distance.
 --fix keeps vertices where they are: boundary, corners (boundary vertices in one face), or vertices by
-their numbers from 0. --slide lets boundary vertices move along the tangents of the boundary.
+their numbers from 0. --slide lets boundary vertices move along the boundary, a polygon; corners stay.
 --subdivide K: K times the mesh is refined by the rules of Catmull and Clark and optimised again.
 Ctrl-C ends the work and keeps the best mesh so far (exit code 130).
 Exit code: 0 the property is proved; 3 it is observed, or known to exist, or was not reached.
@@ -33,7 +34,7 @@ pub struct OptimizeOptions {
     /// What stays where it is: boundary, corners, or vertices by number, separated by commas
     #[arg(long, value_name = "WHAT")]
     pub fix: Option<String>,
-    /// What moves along the tangents of the boundary
+    /// What moves along the polygon of the boundary
     #[arg(long, value_enum)]
     pub slide: Option<Slide>,
     /// A mesh to be near to, by vertical distance
@@ -94,6 +95,8 @@ pub struct CertifyOptions {
     /// The file to write: .iso.json
     #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
+    #[command(flatten)]
+    pub limits: LimitOptions,
 }
 
 /// What a mesh shall become

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::Reading;
+use super::limits::LimitOptions;
 
 /// Make the figures of the paper: exact data and pictures
 #[derive(Debug, Args)]
@@ -71,4 +72,6 @@ pub struct ViewOptions {
     /// The page
     #[arg(short, long = "output", value_name = "OUT.html")]
     pub out: PathBuf,
+    #[command(flatten)]
+    pub limits: LimitOptions,
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::limits::LimitOptions;
 use super::{InputOptions, OutputOptions};
 use crate::construct::family::Family;
 
@@ -142,6 +143,8 @@ pub struct MakeOptions {
     /// The folder to write to; it is made if it is not there
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
+    #[command(flatten)]
+    pub limits: LimitOptions,
 }
 
 /// The families with their parameters and defaults.

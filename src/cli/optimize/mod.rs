@@ -6,14 +6,13 @@ mod round;
 mod wishes;
 
 use std::path::Path;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use serde_json::json;
 
 use super::arguments::{Layout, OptimizeOptions};
 use super::failure::Failure;
+use super::interruption::interruption;
 use super::{Status, input, output};
 use crate::construct::subdivision::{Sharp, catmull_clark};
 use crate::figure::comparison;
@@ -97,17 +96,4 @@ fn doubles(path: &Path, mesh: &Mesh<Rational>) -> Result<Mesh<f64>, Failure> {
             path.display()
         ))),
     }
-}
-
-/// Whether Ctrl-C was pressed; a second time ends the program.
-fn interruption() -> Arc<AtomicBool> {
-    let flag = Arc::new(AtomicBool::new(false));
-    let seen = flag.clone();
-    // Without a handler Ctrl-C ends the program at once: nothing is lost but the best mesh so far.
-    let _ = ctrlc::set_handler(move || {
-        if seen.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    });
-    flag
 }

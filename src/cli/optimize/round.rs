@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde_json::{Value, json};
 
-use super::wishes::mobility;
+use super::wishes::{curves, mobility};
 use crate::cli::arguments::{Approach, OptimizeOptions};
 use crate::cli::failure::Failure;
 use crate::cli::{output, words};
@@ -36,6 +36,7 @@ impl Round {
             shape: options.shape,
             target,
             mobility: mobility(options, mesh)?,
+            curves: curves(options, &mesh.topology),
             method: match options.method {
                 Approach::Joint => Method::Joint,
                 Approach::TwoStage => Method::TwoStage,

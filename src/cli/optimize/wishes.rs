@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::doubles;
-use crate::cli::arguments::{OptimizeOptions, Slide, Wish};
+use crate::cli::arguments::{InputOptions, OptimizeOptions, Slide, Wish};
 use crate::cli::failure::Failure;
 use crate::cli::input;
 use crate::mesh::{Mesh, Topology, VertexId, VertexKind};
@@ -12,7 +12,8 @@ use crate::optimise::{Goal, Mobility, Target};
 
 /// The surface to be near to.
 pub fn target(path: &Path, options: &OptimizeOptions) -> Result<Arc<Target>, Failure> {
-    let mesh = doubles(path, &input::read_file(path, options.input.read_as)?.exact())?;
+    let InputOptions { read_as, limits, .. } = &options.input;
+    let mesh = doubles(path, &input::read_file(path, *read_as, limits)?.exact())?;
     let target = Target::new(&mesh);
     target.map(Arc::new).ok_or_else(|| {
         Failure::usage(format!("{} has no face that is not vertical", path.display()))
@@ -40,6 +41,12 @@ pub fn mobility(options: &OptimizeOptions, mesh: &Mesh<f64>) -> Result<Vec<Mobil
         fixed(list, topology)?.iter().for_each(|v| mobility[v.index()] = Mobility::Fixed);
     }
     Ok(mobility)
+}
+
+/// The lines of vertices that stay on their polygons.
+pub fn curves(options: &OptimizeOptions, topology: &Topology) -> Vec<Vec<VertexId>> {
+    let slides = options.slide == Some(Slide::Boundary);
+    if slides { topology.boundary_loops() } else { Vec::new() }
 }
 
 /// The vertices that --fix names.

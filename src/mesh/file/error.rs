@@ -20,6 +20,7 @@ use std::ops::Range;
 /// | `variant` | a variant of the format that is not read |
 /// | `statement` | a keyword that is not known |
 /// | `number`, `integer`, `index` | a number, whole number, index of a vertex that is none |
+/// | `limit` | a file or a number larger than [`Limits`](super::Limits) allow |
 /// | `not-finite` | a coordinate that is NaN, infinite, or beyond the range of doubles |
 /// | `coordinates` | too few or too many coordinates |
 /// | `truncated`, `trailing` | less or more than the file announces |

@@ -17,7 +17,7 @@ pub enum FractionError {
     TooManyDigits,
 }
 
-/// The most digits that numerator and denominator may have.
+/// The most digits that numerator and denominator may have, where nothing else is said.
 pub const MAX_DIGITS: usize = 10_000;
 
 impl fmt::Display for FractionError {
@@ -45,6 +45,11 @@ impl std::error::Error for FractionError {}
 /// # Errors
 /// See [`FractionError`]. Blanks, a plus sign and a signed denominator are refused.
 pub fn parse_fraction<Q: RationalField>(text: &str) -> Result<Q, FractionError> {
+    parse(text, MAX_DIGITS)
+}
+
+/// The same with another limit.
+pub(super) fn parse<Q: RationalField>(text: &str, most_digits: usize) -> Result<Q, FractionError> {
     let (size, negative) = match text.strip_prefix('-') {
         Some(size) => (size, true),
         None => (text, false),
@@ -54,7 +59,7 @@ pub fn parse_fraction<Q: RationalField>(text: &str) -> Result<Q, FractionError> 
         if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
             return Err(FractionError::Syntax);
         }
-        if digits.len() > MAX_DIGITS {
+        if digits.len() > most_digits {
             return Err(FractionError::TooManyDigits);
         }
     }

@@ -21,7 +21,7 @@ use serde::de::{self, Deserializer, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde_json::value::RawValue;
 
 use super::write::Options;
-use super::{Coordinates, FileError, MeshFile, fraction::parse_fraction, parts, source::Source};
+use super::{Coordinates, FileError, MeshFile, fraction, limits, parts, source::Source};
 use crate::mesh::{Data, FaceList, Mesh};
 use crate::scalar::{Rational, RationalField};
 use crate::space::Point;
@@ -67,6 +67,11 @@ pub(super) fn read(source: &Source<'_>) -> Result<MeshFile, FileError> {
         let start = source.bytes.len() - source.bytes.trim_ascii_start().len();
         let label = "expected an object {\"format\":\"isogeo-mesh\", ...}";
         return Err(source.error("syntax", start..start + 1, "not an .iso.json file", label));
+    }
+    if let Some(span) = source.long_number() {
+        let message = format!("a number of {} digits", span.len());
+        let label = format!("more than {} digits are not read", source.digits);
+        return Err(source.error("limit", span, message, label).help(limits::MORE_DIGITS));
     }
     let mut document: Document =
         serde_json::from_slice(source.bytes).map_err(|error| no_document(source, &error))?;
@@ -133,6 +138,8 @@ fn no_document(source: &Source<'_>, error: &serde_json::Error) -> FileError {
     let error = source.error(kind, start.unwrap_or(end.saturating_sub(1))..end, message, "");
     if message.starts_with("invalid type: integer") || message.starts_with("invalid type: float") {
         error.help("exact numbers are strings: \"1/3\", \"-2\"")
+    } else if message == "recursion limit exceeded" {
+        error.help("brackets may be nested 127 deep")
     } else if message.starts_with("unknown ") {
         error.help("other information belongs under \"certificate\"")
     } else {
@@ -219,7 +226,8 @@ impl<'de> Deserialize<'de> for Number {
             }
 
             fn visit_str<E: de::Error>(self, text: &str) -> Result<Number, E> {
-                parse_fraction(text).map(Number).map_err(|error| {
+                // Longer ones are found before.
+                fraction::parse(text, usize::MAX).map(Number).map_err(|error| {
                     let shown: String = text.chars().take(40).collect();
                     E::custom(format!("cannot read {shown:?} as a fraction: {error}"))
                 })

@@ -29,6 +29,7 @@ mod decimal;
 mod error;
 mod fraction;
 mod iso_json;
+mod limits;
 mod obj;
 mod off;
 mod parts;
@@ -49,8 +50,9 @@ use crate::scalar::{Numeral, Rational, ReadAs};
 pub use clear::{Cleared, clear_denominators};
 pub use error::{FileError, Place};
 pub use fraction::{FractionError, MAX_DIGITS, parse_fraction};
-pub use points::{PointFile, read_points, read_points_bytes};
-pub use write::{Options, Written, write, write_string, write_whole};
+pub use limits::Limits;
+pub use points::{PointFile, read_points, read_points_bytes, read_points_within};
+pub use write::{Options, STANDARD_OUTPUT, Written, write, write_string, write_whole};
 
 /// A file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -184,13 +186,18 @@ impl MeshFile {
 /// # Errors
 /// A file that cannot be read, or is no mesh: see [`FileError`].
 pub fn read(path: impl AsRef<Path>) -> Result<MeshFile, FileError> {
+    read_within(path, &Limits::default())
+}
+
+/// Reads a mesh from a file that is not larger than some limits.
+///
+/// # Errors
+/// As for [`read`]; what is beyond the limits has a code `isogeo::FORMAT::limit`.
+pub fn read_within(path: impl AsRef<Path>, limits: &Limits) -> Result<MeshFile, FileError> {
     let path = path.as_ref();
-    let name = path.display().to_string();
     let format = Format::from_path(path).ok_or_else(|| unknown_format(path))?;
-    let bytes = std::fs::read(path).map_err(|e| {
-        FileError::new("io", "file", &name, format!("the file cannot be read: {e}"))
-    })?;
-    read_bytes(&name, format, &bytes)
+    let bytes = limits.read(path)?;
+    read_bytes_within(&path.display().to_string(), format, &bytes, limits)
 }
 
 /// Reads a mesh from the bytes of a file; `name` is for error messages.
@@ -198,7 +205,20 @@ pub fn read(path: impl AsRef<Path>) -> Result<MeshFile, FileError> {
 /// # Errors
 /// Bytes that are no mesh: see [`FileError`].
 pub fn read_bytes(name: &str, format: Format, bytes: &[u8]) -> Result<MeshFile, FileError> {
-    let source = source::Source { name, format, bytes };
+    read_bytes_within(name, format, bytes, &Limits::default())
+}
+
+/// Reads a mesh from the bytes of a file, within some limits.
+///
+/// # Errors
+/// As for [`read_within`].
+pub fn read_bytes_within(
+    name: &str,
+    format: Format,
+    bytes: &[u8],
+    limits: &Limits,
+) -> Result<MeshFile, FileError> {
+    let source = source::Source { name, format, bytes, digits: limits.digits };
     match format {
         Format::Obj => obj::read(&source),
         Format::Off => off::read(&source),

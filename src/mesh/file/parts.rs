@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::source::{Cursor, Source, integer};
+use super::write::is_note;
 use super::{Coordinates, FileError, MeshFile};
 use crate::mesh::{FaceList, Mesh, TopologyError};
 use crate::scalar::Numeral;
@@ -33,13 +34,15 @@ impl Parts {
         self.face_starts.push(start);
     }
 
-    /// Takes the `key=value` pairs of a comment `isogeo: key=value ...`.
+    /// Takes the `key=value` pairs of a comment `isogeo: key=value ...`, in printable ASCII; other
+    /// words are no notes.
     pub fn note(&mut self, comment: &[u8]) {
         let Some(pairs) = comment.trim_ascii().strip_prefix(b"isogeo:") else {
             return;
         };
         let pairs = String::from_utf8_lossy(pairs);
-        for (key, value) in pairs.split_ascii_whitespace().filter_map(|pair| pair.split_once('=')) {
+        let pairs = pairs.split_ascii_whitespace().filter_map(|pair| pair.split_once('='));
+        for (key, value) in pairs.filter(|(key, value)| is_note(key, value)) {
             self.notes.insert(key.to_owned(), value.to_owned());
         }
     }

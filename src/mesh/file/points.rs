@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::FileError;
 use super::error::Place;
+use super::limits::{Limits, MORE_DIGITS};
 use crate::scalar::{Numeral, NumeralError};
 use crate::space::{Point, TopView};
 
@@ -37,12 +38,17 @@ impl PointFile {
 /// A file that cannot be read, a word that is no number, a line with fewer than two or
 /// more than three, no line at all.
 pub fn read_points(path: impl AsRef<Path>) -> Result<PointFile, FileError> {
+    read_points_within(path, &Limits::default())
+}
+
+/// Reads points from a file that is not larger than some limits.
+///
+/// # Errors
+/// As for [`read_points`]; what is beyond the limits has the code `isogeo::file::limit` or
+/// `isogeo::points::limit`.
+pub fn read_points_within(path: impl AsRef<Path>, limits: &Limits) -> Result<PointFile, FileError> {
     let path = path.as_ref();
-    let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|e| {
-        FileError::new("io", "file", &name, format!("the file cannot be read: {e}"))
-    })?;
-    read_points_bytes(&name, &bytes)
+    parse(&path.display().to_string(), &limits.read(path)?, limits.digits)
 }
 
 /// Reads points from the bytes of a file; `name` is for error messages.
@@ -59,7 +65,11 @@ pub fn read_points(path: impl AsRef<Path>) -> Result<PointFile, FileError> {
 /// # Errors
 /// As for [`read_points`].
 pub fn read_points_bytes(name: &str, bytes: &[u8]) -> Result<PointFile, FileError> {
-    let text = Text { name, bytes };
+    parse(name, bytes, Limits::default().digits)
+}
+
+fn parse(name: &str, bytes: &[u8], digits: usize) -> Result<PointFile, FileError> {
+    let text = Text { name, bytes, digits };
     let mut top_views = Vec::new();
     let mut heights = Vec::new();
     let start = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
@@ -106,6 +116,7 @@ pub fn read_points_bytes(name: &str, bytes: &[u8]) -> Result<PointFile, FileErro
 struct Text<'a> {
     name: &'a str,
     bytes: &'a [u8],
+    digits: usize,
 }
 
 impl Text<'_> {
@@ -119,15 +130,20 @@ impl Text<'_> {
     fn number(&self, span: Range<usize>) -> Result<Numeral, FileError> {
         let word = &self.bytes[span.clone()];
         let text = std::str::from_utf8(word).map_err(|_| NumeralError::Syntax);
-        text.and_then(str::parse).map_err(|error| {
+        text.and_then(|text| Numeral::parse(text, self.digits)).map_err(|error| {
             const LONGEST: usize = 40;
             let shown = String::from_utf8_lossy(&word[..word.len().min(LONGEST)]);
             let message = format!("cannot read '{}' as a number", shown.escape_debug());
-            let label = match error {
-                NumeralError::Syntax => "expected a decimal number".to_owned(),
-                error => format!("{error} is not read"),
-            };
-            FileError { label, ..self.error("number", span, message) }
+            match error {
+                NumeralError::Syntax => {
+                    let label = "expected a decimal number".to_owned();
+                    FileError { label, ..self.error("number", span, message) }
+                }
+                error => {
+                    let label = format!("{error} is not read");
+                    FileError { label, ..self.error("limit", span, message) }.help(MORE_DIGITS)
+                }
+            }
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{FileError, Format, error::Place};
+use super::{FileError, Format, error::Place, limits::MORE_DIGITS};
 use crate::scalar::{Numeral, NumeralError};
 
 /// A file in memory: everything that an error message needs.
@@ -10,6 +10,8 @@ pub(super) struct Source<'a> {
     pub name: &'a str,
     pub format: Format,
     pub bytes: &'a [u8],
+    /// The most digits of a number.
+    pub digits: usize,
 }
 
 /// A word and where it stands.
@@ -61,7 +63,7 @@ impl Source<'_> {
     pub fn numeral(&self, token: Token<'_>) -> Result<Numeral, FileError> {
         std::str::from_utf8(token.bytes)
             .map_err(|_| NumeralError::Syntax)
-            .and_then(str::parse)
+            .and_then(|text| Numeral::parse(text, self.digits))
             .map_err(|e| self.bad_number(token, e))
     }
 
@@ -70,7 +72,7 @@ impl Source<'_> {
         let text = String::from_utf8_lossy(token.bytes).to_ascii_lowercase();
         let (kind, label) = match error {
             NumeralError::Syntax => ("number", "expected a decimal number".to_owned()),
-            error => ("number", format!("{error} is not read")),
+            error => ("limit", format!("{error} is not read")),
         };
         let error = self.error(
             kind,
@@ -78,7 +80,9 @@ impl Source<'_> {
             format!("cannot read {} as a number", token.show()),
             label,
         );
-        if text.contains('/') {
+        if kind == "limit" {
+            error.help(MORE_DIGITS)
+        } else if text.contains('/') {
             error.help(
                 "coordinates are decimals (1, -0.25, 3e-2); for p/q use a .iso.json file, \
                  because other tools silently misread '1/3' as 1",
@@ -117,6 +121,19 @@ impl Source<'_> {
         usize::try_from(count).map_err(|_| {
             let message = format!("{count} is less than 0");
             self.error("integer", token.span(), message, format!("expected {what}"))
+        })
+    }
+
+    /// The first digits in a row that are more than a number may have.
+    pub fn long_number(&self) -> Option<Range<usize>> {
+        let is_end = |byte: &u8| !byte.is_ascii_digit();
+        // So many digits in a row cover one of these places.
+        let mut places = (self.digits..self.bytes.len()).step_by(self.digits.saturating_add(1));
+        places.find_map(|at| {
+            let (before, after) = self.bytes.split_at(at);
+            let start = before.iter().rposition(is_end).map_or(0, |end| end + 1);
+            let end = at + after.iter().position(is_end).unwrap_or(after.len());
+            (end - start > self.digits).then_some(start..end)
         })
     }
 

@@ -24,6 +24,9 @@ pub struct Options {
     pub certificate: Option<serde_json::Value>,
 }
 
+/// The path that stands for the standard output of the process.
+pub const STANDARD_OUTPUT: &str = "/dev/stdout";
+
 /// Whether the coordinates in a file are those of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Written {
@@ -39,7 +42,8 @@ pub enum Written {
 /// OBJ, OFF and PLY hold decimals, and say that these are exact where every coordinate is a
 /// decimal of at most 40 digits; else all are rounded to the nearest double and printed as short
 /// as possible. VTU holds doubles. `data` go into `.iso.json` and VTU, the other formats hold
-/// geometry only. The file appears whole or not at all.
+/// geometry only. The file appears whole or not at all: see [`write_whole`]. [`STANDARD_OUTPUT`], and a
+/// device or pipe whose name says no format, is sent an `.iso.json` file.
 ///
 /// # Errors
 /// An unknown format, a coordinate beyond the range of doubles, a name that the format cannot
@@ -50,11 +54,21 @@ pub fn write<Q: RationalField>(
     options: &Options,
 ) -> Result<Written, FileError> {
     let path = path.as_ref();
-    let format = Format::from_path(path).ok_or_else(|| super::unknown_format(path))?;
+    let format = format(path)?;
     let name = path.display().to_string();
     let (bytes, written) = write_string(&name, format, mesh, options)?;
     write_whole(path, bytes.as_bytes())?;
     Ok(written)
+}
+
+/// The format in which a mesh is written to a path.
+fn format(path: &Path) -> Result<Format, FileError> {
+    let is_special = || {
+        path == Path::new(STANDARD_OUTPUT)
+            || fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir())
+    };
+    let format = Format::from_path(path).or_else(|| is_special().then_some(Format::IsoJson));
+    format.ok_or_else(|| super::unknown_format(path))
 }
 
 /// The text of the file that [`write()`] makes; `name` is for error messages.
@@ -79,20 +93,30 @@ pub fn write_string<Q: RationalField>(
 
 /// Writes a file through a temporary one beside it, so that it appears whole or not at all.
 ///
-/// What is there and is no regular file (a device, a pipe) is written to as it is.
+/// A file that is there stays as it is until then, and keeps its permissions; one that may not be
+/// written to is not replaced. A symbolic link stays one. What is there and is no regular file (a
+/// device, a pipe), and [`STANDARD_OUTPUT`] whatever it is, is written to as it is.
 ///
 /// # Errors
-/// What the file system says.
+/// What the file system says; then there is no temporary file left.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     let name = path.display().to_string();
     let failed = |e: io::Error| {
         FileError::new("io", "file", &name, format!("the file cannot be written: {e}"))
     };
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let old = fs::metadata(&target).ok();
-    if old.as_ref().is_some_and(|old| !old.is_file()) {
-        return fs::write(&target, bytes).map_err(failed);
+    if path == Path::new(STANDARD_OUTPUT) {
+        let mut out = io::stdout().lock();
+        return out.write_all(bytes).and_then(|()| out.flush()).map_err(failed);
     }
+    let old = fs::metadata(path).ok();
+    if old.as_ref().is_some_and(|old| !old.is_file()) {
+        return fs::write(path, bytes).map_err(failed);
+    }
+    if old.as_ref().is_some_and(|old| old.permissions().readonly()) {
+        let message = "the file is read-only and is not replaced";
+        return Err(FileError::new("io", "file", &name, message));
+    }
+    let target = destination(path);
     let (temporary, mut file) = temporary_beside(&target).map_err(failed)?;
     let permissions = |file: &fs::File| match &old {
         Some(old) => file.set_permissions(old.permissions()),
@@ -109,13 +133,25 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     })
 }
 
+/// Where a path leads: the end of symbolic links, whether there is a file or not.
+fn destination(path: &Path) -> PathBuf {
+    const LONGEST: usize = 40;
+    if let Ok(whole) = fs::canonicalize(path) {
+        return whole;
+    }
+    let mut path = path.to_owned();
+    for _ in 0..LONGEST {
+        let Ok(link) = fs::read_link(&path) else { break };
+        path = path.parent().map_or_else(|| link.clone(), |folder| folder.join(&link));
+    }
+    path
+}
+
 fn temporary_beside(path: &Path) -> io::Result<(PathBuf, fs::File)> {
-    let name = path.file_name().ok_or(io::ErrorKind::InvalidFilename)?;
     let mut attempt = 0u32;
     loop {
-        let mut hidden = std::ffi::OsString::from(".");
-        hidden.push(name);
-        hidden.push(format!(".{}-{attempt}.tmp", std::process::id()));
+        // Not with the name of the file, which may be as long as names can be.
+        let hidden = format!(".isogeo-{}-{attempt}.tmp", std::process::id());
         let temporary = path.with_file_name(hidden);
         match fs::OpenOptions::new().write(true).create_new(true).open(&temporary) {
             Err(e) if e.kind() == io::ErrorKind::AlreadyExists && attempt < 1000 => attempt += 1,
@@ -185,9 +221,7 @@ impl Text<'_> {
             line.push_str(" coords=exact");
         }
         for (key, value) in self.options.notes.iter().filter(|(key, _)| *key != "coords") {
-            let is_word =
-                |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_graphic());
-            if !is_word(key) || !is_word(value) || key.contains('=') {
+            if !is_note(key, value) {
                 let message = format!("the note {key:?}={value:?} does not fit the header line");
                 return Err(self.error("data", message));
             }
@@ -195,6 +229,12 @@ impl Text<'_> {
         }
         Ok(if line.is_empty() { line } else { format!("{prefix}isogeo:{line}\n") })
     }
+}
+
+/// Whether `key=value` is one word of printable ASCII, as notes in header lines are.
+pub(super) fn is_note(key: &str, value: &str) -> bool {
+    let is_word = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_graphic());
+    is_word(key) && is_word(value) && !key.contains('=')
 }
 
 fn lines<Q, E>(

@@ -52,7 +52,6 @@ pub use no_proof::NoProof;
 pub use pinned::Pinned;
 
 use super::Goal;
-use super::cholesky::Cholesky;
 use super::normal::NormalMatrix;
 use crate::mesh::Topology;
 use crate::space::Point;
@@ -103,7 +102,7 @@ pub fn prove(
     let mut problem = Problem::new(topology, points, goal, mobility)?;
     let equations = problem.system.rows();
     let mut matrix = NormalMatrix::new(&problem.system, points.len());
-    let factor = Cholesky::analyse(&matrix.starts, &matrix.rows);
+    let factor = matrix.analyse(&problem.system, points);
     let mut factor = factor.map_err(|_| NoProof::OutOfMemory)?;
     let mut factorise = |damping: f64| {
         matrix.fill(&problem.system, &problem.at, damping);

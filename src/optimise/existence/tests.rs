@@ -7,7 +7,6 @@ use super::problem::Problem;
 use super::rounding::{down, gamma, largest, up};
 use crate::construct::quad_patch;
 use crate::mesh::Topology;
-use crate::optimise::cholesky::Cholesky;
 use crate::optimise::normal::NormalMatrix;
 use crate::optimise::{Goal, Mobility};
 use crate::scalar::{BigRational, Numeral, Ordered};
@@ -137,7 +136,7 @@ fn the_bound_of_the_smallest_eigenvalue_is_below_it() {
     for goal in [Goal::Planar, Goal::ICircular, Goal::IConical] {
         let problem = problem(&points, goal);
         let mut matrix = NormalMatrix::new(&problem.system, points.len());
-        let mut factor = Cholesky::analyse(&matrix.starts, &matrix.rows).expect("memory");
+        let mut factor = matrix.analyse(&problem.system, &points).expect("memory");
         matrix.fill(&problem.system, &problem.at, 0.0);
         factor.factorise(&matrix.starts, &matrix.rows, &matrix.values).expect("a factor");
         let guess = guess(&mut factor, problem.system.rows());
@@ -155,7 +154,7 @@ fn a_spoilt_factor_is_noticed() {
     let points = points();
     let problem = problem(&points, Goal::ICircular);
     let mut matrix = NormalMatrix::new(&problem.system, points.len());
-    let mut factor = Cholesky::analyse(&matrix.starts, &matrix.rows).expect("memory");
+    let mut factor = matrix.analyse(&problem.system, &points).expect("memory");
     matrix.fill(&problem.system, &problem.at, 0.0);
     factor.factorise(&matrix.starts, &matrix.rows, &matrix.values).expect("a factor");
     let found = misfit(&matrix, &factor, 15, 10.0).expect("a factor");

@@ -99,7 +99,7 @@ impl<'a> Projector<'a> {
             values.push(value);
         }
         starts.push(places.len() as u32);
-        let mut factor = Cholesky::analyse(&starts, &places)?;
+        let mut factor = Cholesky::analyse(&starts, &places, None)?;
         factor.factorise(&starts, &places, &values)?;
         Ok(Projector { exact, rows, lengths, factor })
     }

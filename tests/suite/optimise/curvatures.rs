@@ -38,7 +38,7 @@ fn the_i_plateau_problem_converges_to_second_order() {
         }
         let system = System::new(vertex_means(&mesh.topology, |_| 0.0));
         let mut steps = 0;
-        let mut projection = Projection::new(&system, &mobility).expect("memory suffices");
+        let mut projection = Projection::new(&system, &mobility, &points).expect("memory suffices");
         let ending = projection.run(&mut points, 10, Stage::Projection, |step| {
             steps = step.number;
             true
@@ -65,7 +65,7 @@ fn an_i_sphere_is_found_from_its_mean_curvature() {
             points[v.index()].z += 0.1;
         }
         let system = System::new(vertex_means(&mesh.topology, |_| mean));
-        let mut projection = Projection::new(&system, &mobility).expect("memory suffices");
+        let mut projection = Projection::new(&system, &mobility, &points).expect("memory suffices");
         let ending = projection.run(&mut points, 10, Stage::Projection, |_| true);
         assert_eq!(ending, Ending::Converged);
         let error = points.iter().map(|p| (p.z - sphere(p.x, p.y)).abs()).fold(0.0, f64::max);
@@ -97,7 +97,7 @@ fn a_pair_of_constant_mean_curvature() {
     kinds.extend(face_means(&mesh.topology, |_| 1.0 / 3.0));
     let system = System::new(kinds);
     let mobility = vec![Mobility::Free; points.len()];
-    let mut projection = Projection::new(&system, &mobility).expect("memory suffices");
+    let mut projection = Projection::new(&system, &mobility, &points).expect("memory suffices");
     let ending = projection.run(&mut points, 50, Stage::Projection, |_| true);
     assert_eq!(ending, Ending::Converged);
     let means = isogeo::pair::face_curvatures(&mesh.topology, &points[..count], &points[count..]);

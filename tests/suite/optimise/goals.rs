@@ -4,16 +4,22 @@ use isogeo::check::Observed;
 use isogeo::construct::quad_patch;
 use isogeo::mesh::{FaceList, Mesh, VertexId};
 use isogeo::net::Net;
-use isogeo::optimise::{Design, Designed, Ending, Goal, Method, Mobility, Movement};
+use isogeo::optimise::{
+    Design, Designed, Ending, Goal, Method, Mobility, Movement, Projection, Stage, System,
+};
 use isogeo::space::Point;
 
 /// A patch of `n` by `n` quads over a surface with both kinds of curvature, all of its coordinates disturbed.
 pub fn patch(n: usize) -> Mesh<f64> {
+    disturbed(n, |x, y| 0.3 * (1.7 * x + 0.3).sin() * (1.3 * y - 0.2).cos() + 0.2 * x * y)
+}
+
+/// A patch of `n` by `n` quads over the unit square, all of its coordinates disturbed.
+fn disturbed(n: usize, height: impl Fn(f64, f64) -> f64) -> Mesh<f64> {
     let point = |i: usize, j: usize| {
         let (x, y) = (i as f64 / n as f64, j as f64 / n as f64);
         let wobble = |k: usize| 0.02 / n as f64 * ((7 * i + 13 * j + 5 * k) as f64 * 2.399).sin();
-        let z = 0.3 * (1.7 * x + 0.3).sin() * (1.3 * y - 0.2).cos() + 0.2 * x * y;
-        Point::new(x + wobble(1), y + wobble(2), z + wobble(3))
+        Point::new(x + wobble(1), y + wobble(2), height(x, y) + wobble(3))
     };
     let points = (0..=n).flat_map(|i| (0..=n).map(move |j| (i, j))).map(|(i, j)| point(i, j));
     Mesh::new(points.collect(), quad_patch(n, n)).expect("a patch is a mesh")
@@ -147,6 +153,76 @@ fn what_slides_stays_on_its_line() {
     let moved = &found.points[v.index()] - &mesh.points[v.index()];
     let across = &moved - &direction.part(&moved);
     assert!(moved.length2() > 1e-8 && across.length2() < 1e-30, "{moved:?} {across:?}");
+}
+
+/// How far a point is from a closed polygon.
+fn distance(p: &Point<f64>, polygon: &[Point<f64>]) -> f64 {
+    let sides = polygon.iter().zip(polygon.iter().cycle().skip(1));
+    let distances = sides.map(|(a, b)| {
+        let (along, seen) = (b - a, p - a);
+        let part = (along.dot(&seen) / along.length2()).clamp(0.0, 1.0);
+        (&seen - &along.scaled(&part)).length2().sqrt()
+    });
+    distances.fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn a_boundary_that_slides_stays_on_its_polygon() {
+    let mesh = disturbed(6, |x, y| 0.4 * x * x - 0.3 * y * y);
+    let loops = mesh.topology.boundary_loops();
+    let polygon: Vec<_> = loops[0].iter().map(|v| mesh.points[v.index()]).collect();
+    let farthest = |found: &Designed| {
+        let distances = loops[0].iter().map(|v| distance(&found.points[v.index()], &polygon));
+        distances.fold(0.0, f64::max)
+    };
+    let mut design = Design::new(Goal::ICircular, mesh.points.len());
+    let (free, n) = (run(&design, &mesh), loops[0].len());
+    assert!(farthest(&free) > 1e-4, "{:e} is no test", farthest(&free));
+    for (i, v) in loops[0].iter().enumerate() {
+        let [before, after] = [n - 1, 1].map(|k| &polygon[(i + k) % n]);
+        design.mobility[v.index()] = match mesh.topology.star(*v).count() {
+            1 => Mobility::Fixed,
+            _ => Mobility::along(before, after),
+        };
+    }
+    let tangents = run(&design, &mesh);
+    assert!(farthest(&tangents) > 1e-6, "{:e} is no test", farthest(&tangents));
+    design.curves = loops.clone();
+    let slid = run(&design, &mesh);
+    assert_eq!(slid.ending, Ending::Converged, "{:?}", slid.steps.last());
+    assert!(farthest(&slid) < 1e-14, "{:e}", farthest(&slid));
+    let movement = Movement::between(&mesh.points, &slid.points);
+    assert!(movement.largest > 1e-4, "{movement:?} is no test");
+    let defect = defect(Goal::ICircular, &mesh, &slid.points);
+    assert!(defect < 1e-12, "{defect:e}");
+}
+
+/// The parameter lines of this surface are far from conjugate: shortest steps lead vertices over
+/// several edges.
+#[test]
+fn what_strays_is_brought_nearer() {
+    let at = |i: usize| i as f64 / 12.0 - 1.0;
+    let places = (0..25).flat_map(|j| (0..25).map(move |i| (at(i), at(j))));
+    let height = |x: f64, y: f64| 0.3 * (1.7 * x + 0.3).sin() * (1.3 * y - 0.2).cos() + 0.2 * x * y;
+    let points: Vec<_> = places.map(|(x, y)| Point::new(x, y, height(x, y))).collect();
+    let mesh = Mesh::new(points, quad_patch(24, 24)).expect("a patch is a mesh");
+    let found = run(&Design::new(Goal::Planar, mesh.points.len()), &mesh);
+    assert_eq!(found.ending, Ending::Converged);
+
+    let system = System::new(Goal::Planar.conditions(&mesh.topology, &mesh.points));
+    let (mut shortest, free) = (mesh.points.clone(), vec![Mobility::Free; mesh.points.len()]);
+    let mut projection = Projection::new(&system, &free, &mesh.points).expect("memory suffices");
+    let ending = projection.run(&mut shortest, 50, Stage::Projection, |_| true);
+    assert_eq!(ending, Ending::Converged);
+
+    let way = |points: &[Point<f64>]| Movement::between(&mesh.points, points).rms;
+    assert!(way(&shortest) > 1.0 / 12.0, "{} is no test", way(&shortest));
+    assert!(
+        1.25 * way(&found.points) < way(&shortest),
+        "{} {}",
+        way(&found.points),
+        way(&shortest)
+    );
 }
 
 #[test]

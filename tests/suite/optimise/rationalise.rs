@@ -4,16 +4,15 @@ use std::collections::BTreeMap;
 
 use isogeo::check::{Decider, Verdict};
 use isogeo::construct::hexagonal::HexagonalRings;
-use isogeo::construct::{circular_net, metric_dual, moebius_image, quad_patch, translational_net};
-use isogeo::mesh::{Data, FaceId, FaceList, Mesh, VertexId};
+use isogeo::construct::{circular_net, metric_dual, quad_patch};
+use isogeo::mesh::{FaceId, FaceList, Mesh, VertexId};
 use isogeo::net::{Net, Property};
 use isogeo::optimise::rationalise::*;
 use isogeo::scalar::{Approx, Field, Rational};
-use isogeo::space::{
-    Circle, CylindricalSphere, Dual, MoebiusTransformation, Plane, Point, Rotation, TopView,
-};
+use isogeo::space::{Point, Rotation};
 use proptest::prelude::*;
 
+use super::shapes::{dual, inverted, rings, with_noise, zonohedron};
 use crate::meshes::circular;
 
 type Method = fn(&Mesh<f64>, &Options) -> Result<Rationalised, NoExactMesh>;
@@ -29,54 +28,10 @@ fn verdict(mesh: &Mesh<Rational>, property: Property) -> Verdict {
     Net::new(&mesh.topology, &decider).check(property).verdict()
 }
 
-/// Numbers between −1 and 1 that look random, the same in every run.
-fn noise() -> impl FnMut() -> f64 {
-    let mut state = 0x1507u64;
-    move || {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-}
-
-fn with_noise(mesh: &Mesh<f64>, size: f64) -> Mesh<f64> {
-    let mut noise = noise();
-    let mut mesh = mesh.clone();
-    for p in &mut mesh.points {
-        *p = Point::new(p.x + size * noise(), p.y + size * noise(), p.z + size * noise());
-    }
-    mesh
-}
-
 fn list(faces: impl IntoIterator<Item = Vec<u32>>) -> FaceList {
     let mut list = FaceList::new();
     faces.into_iter().for_each(|face| list.push(face));
     list
-}
-
-/// An inversion of a translational net with `n × n` faces, of size about 1: planar and i-circular.
-fn inverted(n: i32) -> Mesh<f64> {
-    let at = |i: i32| f64::from(2 * i - n) / f64::from(2 * n);
-    let f: Vec<_> = (0..=n).map(at).map(|x| (x + 0.1 * x * x, x * x + 0.3 * x * x * x)).collect();
-    let g: Vec<_> = (0..=n).map(at).map(|y| (1.2 * y, 0.1 * y - 0.5 * y * y)).collect();
-    let circle = Circle::new(TopView::new(1.0, 1.3), 1.0);
-    let cylinder = CylindricalSphere::new(circle).expect("a radius");
-    let inversion = MoebiusTransformation::inversion_at_cylinder(&cylinder, &0.2);
-    let net = translational_net(&f, &g).expect("a grid");
-    moebius_image(&net, &inversion).expect("off the centre")
-}
-
-/// The dual of such a net, but for rounding: i-conical, with `n × n` faces.
-fn dual(n: i32) -> Mesh<f64> {
-    let mesh = inverted(n + 1);
-    let pole = |f| {
-        let corners: Vec<_> =
-            mesh.topology.face(f).iter().map(|v| &mesh.points[v.index()]).collect();
-        Plane::nearest(&corners).expect("no vertical face").dual()
-    };
-    let points = mesh.topology.faces().map(pole).collect();
-    let topology = mesh.topology.dual().expect("a grid").topology;
-    Mesh { topology, points, data: Data::default() }
 }
 
 /// What is asked of every result: the same combinatorics, near, proved; and a coordinate disturbs it.
@@ -223,44 +178,9 @@ fn a_hole() {
 /// Rings of quads around a hole: they close in a linear system.
 #[test]
 fn closed_rings() {
-    let sectors = 14;
-    let points = (0..=9).flat_map(|k| (0..sectors).map(move |j| (k, j))).map(|(k, j)| {
-        let (r, angle) = (1.0 + f64::from(k) / 4.0, f64::from(j) * std::f64::consts::TAU / 14.0);
-        let (x, y, z) = (r * angle.cos(), r * angle.sin(), (r * r + 1.0).sqrt());
-        // A collineation keeps planes.
-        let w = 1.0 + 0.1 * x + 0.05 * z;
-        Point::new(x / w, y / w, z / w)
-    });
-    let at = move |k: u32, j: u32| k * sectors + j % sectors;
-    let faces = (0..9).flat_map(|k| (0..sectors).map(move |j| (k, j)));
-    let faces = faces.map(|(k, j)| vec![at(k, j), at(k + 1, j), at(k + 1, j + 1), at(k, j + 1)]);
-    let mesh = Mesh::new(points.collect(), list(faces)).expect("rings");
+    let mesh = rings(9, 14, 1.0 / 4.0);
     let bits = succeeds(&with_noise(&mesh, 1e-13), 1e-5, METHODS[0]);
     assert!(bits < 8000, "{bits}");
-}
-
-/// Sums of vectors in a cycle: a closed mesh of parallelograms.
-fn zonohedron(n: u32) -> Mesh<f64> {
-    let vector = |k: u32| {
-        let angle = std::f64::consts::TAU * f64::from(k % n) / f64::from(n);
-        [angle.cos() + 0.1 * (3.0 * angle).sin(), angle.sin(), 0.7]
-    };
-    let (mut names, mut points) = (BTreeMap::new(), Vec::new());
-    let mut sum = |from: u32, count: u32| {
-        let key = if count.is_multiple_of(n) { (0, count) } else { (from % n, count) };
-        *names.entry(key).or_insert_with(|| {
-            let parts = (from..from + count).map(vector);
-            let [x, y, z] = parts.fold([0.0; 3], |s, v| [s[0] + v[0], s[1] + v[1], s[2] + v[2]]);
-            points.push(Point::new(x, y, z));
-            points.len() as u32 - 1
-        })
-    };
-    let places = (0..n).flat_map(|i| (0..n - 1).map(move |k| (i, k)));
-    let corners = |(i, k)| {
-        [(i + 1, k), (i, k + 1), (i, k + 2), (i + 1, k + 1)].map(|(from, n)| sum(from, n)).to_vec()
-    };
-    let faces: Vec<_> = places.map(corners).collect();
-    Mesh::new(points, list(faces)).expect("closed")
 }
 
 #[test]
