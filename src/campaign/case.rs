@@ -211,7 +211,7 @@ impl Failure {
 ///
 /// ```
 /// use isogeo::campaign::{Case, holds};
-/// let case: Case = "control-meshes-are-planar:1:0".parse()?;
+/// let case: Case = "control-meshes-are-planar:2:0".parse()?;
 /// let failure = case.failure(true).ok_or("it holds")?;
 /// assert_eq!(failure.parts.meshes[0].topology.face_count(), 1);
 /// assert_eq!(holds(&failure.to_json().to_string()), Err(failure.what));

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::number::{fraction, nonzero, proper, small};
+use super::planar::is_graph;
 use crate::construct::minimal::{MeshPair, Weierstrass, WeierstrassData};
 use crate::construct::{circular_net, translational_net};
 use crate::mesh::Mesh;
@@ -67,8 +68,8 @@ pub fn i_minimal<Q: Field>() -> impl Strategy<Value = MeshPair<Q>> {
 /// i-circular nets whose top views are circle patterns with factorised cross-ratios: those with
 /// `H = 0` and with another constant H.
 pub fn factorised<Q: Field>() -> impl Strategy<Value = Mesh<Q>> {
-    (weierstrass(), small()).prop_filter_map("a patch is a mesh", |(data, mean)| {
-        data.constant_mean(&mean).ok().map(|pair| pair.surface)
+    (weierstrass(), small()).prop_filter_map("a vertical face", |(data, mean)| {
+        data.constant_mean(&mean).ok().map(|pair| pair.surface).filter(is_graph)
     })
 }
 

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::number::{proper, small};
+use super::planar::is_graph;
 use crate::construct::{inverted_packing, koebe_mesh, polar_packing, quad_patch, square_packing};
 use crate::mesh::Mesh;
 use crate::scalar::Field;
@@ -26,8 +27,7 @@ pub fn koebe<Q: Field>() -> impl Strategy<Value = Mesh<Q>> {
                 Some([x, y]) => inverted_packing(&packing, &TopView::new(x, y)).ok()?,
             };
             let mesh = koebe_mesh(circles, quad_patch(m, n)).ok()?;
-            let is_graph = mesh.topology.faces().all(|face| mesh.face_plane(face).is_ok());
-            is_graph.then_some(mesh)
+            is_graph(&mesh).then_some(mesh)
         },
     )
 }

@@ -4,6 +4,7 @@ use proptest::prelude::*;
 
 use super::circular::{circular, i_minimal};
 use super::number::{nonzero, number};
+use super::planar::is_graph;
 use super::triangles::{delaunay_graph, jittered, star};
 use crate::construct::minimal::MeshPair;
 use crate::construct::{lift, metric_dual};
@@ -23,10 +24,7 @@ pub fn v_parallel<Q: RationalField>() -> impl Strategy<Value = MeshPair<Q>> {
         with_image(surface, heights)
     });
     let pair = prop_oneof![over_triangles(), circular];
-    pair.prop_filter("a face with a collinear top view", |pair| {
-        let mesh = &pair.surface;
-        mesh.topology.faces().all(|face| mesh.face_plane(face).is_ok())
-    })
+    pair.prop_filter("a face with a collinear top view", |pair| is_graph(&pair.surface))
 }
 
 fn over_triangles<Q: RationalField>() -> impl Strategy<Value = MeshPair<Q>> {
@@ -55,8 +53,6 @@ pub fn f_parallel<Q: RationalField>() -> impl Strategy<Value = MeshPair<Q>> {
         Some(MeshPair { surface: surface?, gauss: gauss? })
     });
     prop_oneof![dual, i_minimal()].prop_filter("a vertical face, or none", |pair| {
-        let mesh = &pair.surface;
-        let mut faces = mesh.topology.faces();
-        faces.len() > 0 && faces.all(|face| mesh.face_plane(face).is_ok())
+        pair.surface.topology.face_count() > 0 && is_graph(&pair.surface)
     })
 }

@@ -40,6 +40,11 @@ pub fn quad_patches<Q: Field>() -> impl Strategy<Value = Mesh<Q>> {
     )
 }
 
+/// Whether all faces have planes, and none is vertical.
+pub(super) fn is_graph<Q: Field>(mesh: &Mesh<Q>) -> bool {
+    mesh.topology.faces().all(|face| mesh.face_plane(face).is_ok())
+}
+
 /// Planar meshes of n-gons of any size: the metric duals of triangle meshes, whose vertices become
 /// faces.
 ///

@@ -9,7 +9,7 @@ use isogeo::campaign::{
     UnfitFile, holds, merge, properties, property,
 };
 use isogeo::claim::Seed;
-use isogeo::scalar::Rational;
+use isogeo::scalar::{Rational, Ring};
 use isogeo::space::{MoebiusTransformation, Motion, Scaling};
 use isogeo::strategy;
 use proptest::prelude::*;
@@ -191,7 +191,7 @@ fn a_failing_control_is_made_small_and_plays_again() {
         // A mesh on which it holds makes the test pass.
         let mut flat = small.clone();
         for point in &mut flat.parts.meshes[0].points {
-            *point = point.top_view().at_height(Rational::from(0));
+            *point = point.top_view().at_height(Rational::from_i64(0));
         }
         // The lift of a flat kite is as little planar as that of another one.
         let flat = holds(&flat.to_json().to_string());

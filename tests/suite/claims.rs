@@ -7,7 +7,7 @@ use isogeo::claim::{
 use isogeo::mesh::file::{Format, read_bytes};
 use isogeo::mesh::{FaceList, Mesh};
 use isogeo::pair::twice_area;
-use isogeo::scalar::{Field, RationalField};
+use isogeo::scalar::{Field, Rational, RationalField, Ring};
 use isogeo::space::TopView;
 
 fn judged(claims: &[&'static Claim]) -> Vec<Report> {
@@ -211,4 +211,19 @@ fn what_is_wrong_with_a_claim_is_found() {
         text + "claims.rs" + part.trim_start_matches(|c: char| c.is_ascii_digit())
     });
     insta::assert_snapshot!(said);
+}
+
+#[test]
+fn edges_of_length_zero_have_no_place_among_directions() {
+    // Found by a campaign on `minkowski`: in the order of directions 0 was equal to everything, so that
+    // a polygon that was called convex was none, and H² - K = -1/25.
+    let minkowski = isogeo::claim::claim("minkowski").expect("a claim");
+    let unknowns = [0, -1, -1, 0, -1, -1, 0, 0, 0, 0, 0, 1, 0, 0, 0].map(Rational::from_i64);
+    let instance = isogeo::claim::Instance::given(minkowski, 1, 3, unknowns.into());
+    assert_eq!(instance.expect("evidence").run(|_| ()), Ok(()));
+    let nothing = isogeo::claim::Instance::given(minkowski, 1, 1, Vec::new());
+    assert!(matches!(
+        nothing.expect("evidence").run(|_| ()),
+        Err(isogeo::claim::Stop::Excluded(_))
+    ));
 }

@@ -170,13 +170,17 @@ Proof.
   set (p := fun x : K => Vec r x). set (q := fun x : K => Vec r (- x)).
   assert (H : cmul (cmul (cmul (q b) (q c)) (cmul (q d) (q a))) u0
             = cmul (cmul (cmul (p b) (p c)) (cmul (p d) (p a))) u0).
-  { transitivity (cmul (cmul (cmul (q b) (q c)) (q d)) (cmul (q a) u0)); [unfold p, q; apply vec_eq; coordinates; ring | ].
+  { transitivity (cmul (cmul (cmul (q b) (q c)) (q d)) (cmul (q a) u0));
+      [unfold p, q; apply vec_eq; coordinates; ring | ].
     unfold q at 4. rewrite T3.
-    transitivity (cmul (cmul (cmul (q b) (q c)) (p a)) (cmul (q d) u3)); [unfold p, q; apply vec_eq; coordinates; ring | ].
+    transitivity (cmul (cmul (cmul (q b) (q c)) (p a)) (cmul (q d) u3));
+      [unfold p, q; apply vec_eq; coordinates; ring | ].
     unfold q at 3. rewrite T2.
-    transitivity (cmul (cmul (cmul (q b) (p a)) (p d)) (cmul (q c) u2)); [unfold p, q; apply vec_eq; coordinates; ring | ].
+    transitivity (cmul (cmul (cmul (q b) (p a)) (p d)) (cmul (q c) u2));
+      [unfold p, q; apply vec_eq; coordinates; ring | ].
     unfold q at 2. rewrite T1.
-    transitivity (cmul (cmul (cmul (p a) (p d)) (p c)) (cmul (q b) u1)); [unfold p, q; apply vec_eq; coordinates; ring | ].
+    transitivity (cmul (cmul (cmul (p a) (p d)) (p c)) (cmul (q b) u1));
+      [unfold p, q; apply vec_eq; coordinates; ring | ].
     unfold p, q. rewrite T0. apply vec_eq; coordinates; ring. }
   assert (I : im (cmul (cmul (p b) (p c)) (cmul (p d) (p a))) = 0).
   { apply (cancel K 2); [nonzero | ].

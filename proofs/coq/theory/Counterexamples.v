@@ -18,7 +18,8 @@ Local Open Scope R_scope.
 Local Notation V := (@Vec Reals).
 
 Ltac by_numbers :=
-  unfold quad, corners, cycle, Offsets.area, Offsets.mixed, Vertices.cot, cotan_weight; cbn -[IZR Rplus Rminus Rmult Rdiv];
+  unfold quad, corners, cycle, Offsets.area, Offsets.mixed, Vertices.cot, cotan_weight;
+  cbn -[IZR Rplus Rminus Rmult Rdiv];
   real_in; cbn [nth Nat.modulo Nat.divmod Nat.sub fst snd length] in *.
 
 (** The centre of a common orthogonal circle would have equal distances from all four centres. *)

@@ -8,7 +8,7 @@
     - [duality_parallel]: parallel points and parallel planes;
     - [duality_sigma], [duality_sigma_contact]: planes that touch Σ are those with poles on Σ;
     - [duality_f_v]: f-parallel and v-parallel elements, [duality_f_v_inscribed],
-      [duality_f_v_midscribed]: inscribed, circumscribed, midscribed;
+      [duality_f_v_midscribed], [duality_f_v_midscribed_iff]: inscribed, circumscribed, midscribed;
     - [eq_6_gauss]: the Gauss image is where Σ has a parallel plane;
     - [eq_3_sections]: a plane cuts an i-sphere in an i-circle around (p - (B, C))/A.
 
@@ -103,6 +103,16 @@ Proof.
   replace j with (g + u) by (unfold u; ring). replace k with (h + v) by (unfold v; ring).
   replace d with (a + m) by (unfold m; ring). replace e with (b + n) by (unfold n; ring).
   clearbody u v m n. clear j k d e. field_simplify_eq; [ | nonzero]. eliminate.
+Qed.
+
+Theorem duality_f_v_midscribed_iff p q P Q :
+  on p P -> on q P -> on p Q -> on q Q -> idist2 p q <> 0 -> iangle2 P Q <> 0 ->
+  (line_discriminant p q = 0 <-> line_discriminant (pole P) (pole Q) = 0).
+Proof.
+  intros A B C D N M. assert (E := duality_f_v_midscribed p q P Q A B C D). split; intro Z; rewrite Z in E.
+  - apply (cancel K _ _ N). transitivity (- - (line_discriminant (pole P) (pole Q) * idist2 p q)); [ring | ].
+    rewrite <- E. ring.
+  - apply (cancel K _ _ M). transitivity (line_discriminant p q * iangle2 P Q); [ring | rewrite E; ring].
 Qed.
 
 (** ** Sections and the Gauss map *)

@@ -5,13 +5,15 @@
 
     - [N h x y]: the power of the circle at the grid point (x, y) to the origin;
     - [koebe], [radius]: the vertices of the Koebe mesh and their signed radii;
-    - [enneper]: the vertices of the i-minimal mesh, three times those of the ledger;  [paraboloid]: those of the dual of the grid itself.
+    - [enneper]: the vertices of the i-minimal mesh, three times those of the ledger;
+    - [paraboloid]: those of the dual of the grid itself.
 
     Statements
     - [fig_8_koebe_lift], [fig_8_koebe]: the edges of the Koebe mesh belong to touching circles;
     - [fig_8_enneper_rows], [fig_8_enneper_columns]: edges of the surface are ± (3h²/4) e/(R_i R_j), the
       Christoffel dual;
-    - [fig_8_planar_lines_row], [fig_8_planar_lines_column]: its rows and columns are planar, and so are those of the Koebe mesh ([fig_8_planar_lines_koebe_row],
+    - [fig_8_planar_lines_row], [fig_8_planar_lines_column]: its rows and columns are planar, and so
+      are those of the Koebe mesh ([fig_8_planar_lines_koebe_row],
       [fig_8_planar_lines_koebe_column]);
     - [fig_9_concurrent_row], [fig_9_concurrent_column]: the planes of the faces of the metric dual along
       a row or column pass through one point;

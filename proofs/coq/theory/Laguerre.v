@@ -44,7 +44,8 @@ Theorem eq_12_spheres_height P S :
   (pz (n P) + 1) * over_sphere (sphere_of S) (image P) = dot3 (n P) (m S) + h P - r S.
 Proof.
   destruct P as [[[a b] c] d], S as [[[e f] g] k]. intros U N. flat.
-  assert (E : a² + b² = (1 - c) * (1 + c)) by (transitivity (a * a + b * b + c * c - c²); [ring | rewrite U; ring]).
+  assert (E : a² + b² = (1 - c) * (1 + c))
+    by (transitivity (a * a + b * b + c * c - c²); [ring | rewrite U; ring]).
   transitivity (d + a * e + b * f - (k + g) / 2 * ((a² + b²) / (c + 1)) - (k - g) / 2 * (c + 1)).
   - field. nonzero.
   - rewrite E. field. nonzero.

@@ -162,7 +162,8 @@ Theorem laguerre_group_offset d P :
   image (offset_plane d P) =
   Point (top (image P)) (pz (image P) + d * (1 + ||top (image P)||²) / 2).
 Proof.
-  intros U A. apply point_eq; [reflexivity | ]. destruct P as [[[a b] c] k]. unfold offset_plane, unit, image, dot3 in *. cbn [Laguerre.n Laguerre.h] in *. spatial.
+  intros U A. apply point_eq; [reflexivity | ]. destruct P as [[[a b] c] k].
+  unfold offset_plane, unit, image, dot3 in *. cbn [Laguerre.n Laguerre.h] in *. spatial.
   assert (E : a² + b² = (1 - c) * (1 + c))
     by (transitivity (a * a + b * b + c * c - c²); [ring | rewrite U; ring]).
   transitivity (k / (c + 1) + d * (1 + (a² + b²) / (c + 1)²) / 2).

@@ -144,7 +144,8 @@ Lemma discriminant_reflex (x a b c d t : R) :
   4 * x * a * c = t * t * b * d -> a * b * (c * d) < 0 -> t <> 0 -> x < 0.
 Proof.
   intros E N T. assert (P := square_positive t T).
-  assert (A : a * c <> 0) by (intro Z; replace (a * b * (c * d)) with (a * c * (b * d)) in N by ring; rewrite Z in N; lra).
+  assert (A : a * c <> 0).
+  { intro Z. replace (a * b * (c * d)) with (a * c * (b * d)) in N by ring. rewrite Z in N. lra. }
   assert (Q := square_positive _ A).
   assert (F : 4 * x * (a * c * (a * c)) = t * t * (a * b * (c * d))).
   { transitivity ((4 * x * a * c) * (a * c)); [ring | rewrite E; ring]. }

@@ -105,7 +105,8 @@ Theorem eq_1_motions_gradients M P0 P1 P2 P3 : rotation M ->
 Proof.
   intro U. rewrite !incircle_edges.
   transitivity (||turn M||² * ||turn M||² *
-    im (cmul (cmul (slope P1 - slope P0) (slope P3 - slope P2)) (conj (cmul (slope P2 - slope P1) (slope P0 - slope P3))))).
+    im (cmul (cmul (slope P1 - slope P0) (slope P3 - slope P2))
+      (conj (cmul (slope P2 - slope P1) (slope P0 - slope P3))))).
   - unfold move_plane. spatial. ring.
   - unfold rotation in U. rewrite U. ring.
 Qed.

@@ -105,8 +105,8 @@ Theorem thm_1_f_net m n (p : nat -> nat -> point K) (P : nat -> nat -> plane K) 
   faces m n (fun i j =>
     on (p i j) (P i j) /\ on (p (S i) j) (P i j) /\ on (p (S i) (S j)) (P i j) /\ on (p i (S j)) (P i j)) ->
   faces m n (fun i j => incircle (top (p i j)) (top (p (S i) j)) (top (p (S i) (S j))) (top (p i (S j))) = 0) ->
-  (forall i j, ||top (p (S i) j) - top (p i j)||² <> 0) ->
-  (forall i j, ||top (p i (S j)) - top (p i j)||² <> 0) ->
+  (forall i j, (i < m)%nat -> (j <= n)%nat -> ||top (p (S i) j) - top (p i j)||² <> 0) ->
+  (forall i j, (i <= m)%nat -> (j < n)%nat -> ||top (p i (S j)) - top (p i j)||² <> 0) ->
   exists s : nat -> nat -> point K,
     s 0%nat 0%nat = lift x /\
     (forall i j, on_sigma (s i j)) /\
@@ -121,12 +121,17 @@ Proof.
     rewrite (edge_step_plane (P i j) _ _ _ B D), (edge_step_plane (P i j) _ _ _ E D).
     assert (R : forall a b : vec K, ||b - a||² <> 0 -> ||a - b||² <> 0).
     { intros a b N. replace (||a - b||²) with (||b - a||²) by (coordinates; ring). exact N. }
-    apply face_commutes; [apply EH | apply EV | apply R, EH | apply R, EV | exact (I i j Li Lj)]. }
+    assert (Ki := Nat.lt_le_incl _ _ Li). assert (Kj := Nat.lt_le_incl _ _ Lj).
+    apply face_commutes;
+      [exact (EH i j Li Kj) | exact (EV (S i) j Li Lj) | exact (R _ _ (EH i (S j) Li Lj))
+      | exact (R _ _ (EV i j Ki Lj)) | exact (I i j Li Lj)]. }
   destruct (transport (vec K) m n H V x C) as (T0 & T1 & T2).
   exists (fun i j => lift (value (vec K) H V x i j)). split; [reflexivity | split; [ | split]].
   - intros i j. unfold on_sigma, over_sigma. cbn. ring.
-  - intros i j Li Lj. unfold parallel_edge. rewrite (T1 i j Li Lj). apply edge_step_parallel, EH.
-  - intros i j Li Lj. unfold parallel_edge. rewrite (T2 i j). apply edge_step_parallel, EV.
+  - intros i j Li Lj. unfold parallel_edge. rewrite (T1 i j Li Lj).
+    exact (edge_step_parallel _ _ _ (EH i j Li Lj)).
+  - intros i j Li Lj. unfold parallel_edge. rewrite (T2 i j).
+    exact (edge_step_parallel _ _ _ (EV i j Li Lj)).
 Qed.
 
 Lemma thm_1_f_triangle (a b c x : vec K) (r2 : K) :
@@ -144,10 +149,12 @@ Proof.
     induction j as [ | j (G0 & G1 & G2)]; [repeat split; assumption | ].
     split; [exact G1 | split; [exact G2 | ]].
     replace (v (S (S (S j)))) with (v j) by (rewrite <- (P j); f_equal; rewrite Nat.add_comm; reflexivity).
-    replace (v (S (S (S (S j))))) with (v (S j)) by (rewrite <- (P (S j)); f_equal; rewrite Nat.add_comm; reflexivity).
+    replace (v (S (S (S (S j))))) with (v (S j))
+      by (rewrite <- (P (S j)); f_equal; rewrite Nat.add_comm; reflexivity).
     exact G0. }
   assert (G := thm_1_f_odd null null r2 v x).
-  specialize (G (I (fun p _ => ||p - null||² = r2) ltac:(cbv beta; rewrite Z; exact A) ltac:(cbv beta; rewrite Z; exact B)
+  specialize (G (I (fun p _ => ||p - null||² = r2) ltac:(cbv beta; rewrite Z; exact A)
+    ltac:(cbv beta; rewrite Z; exact B)
     ltac:(cbv beta; rewrite Z; exact C))).
   specialize (G (I (fun p q => ||q - p||² <> 0) E0 E1 E2) 1%nat N eq_refl).
   rewrite !Z in G. exact G.
@@ -248,7 +255,7 @@ Proof.
   split; [exact S1 | split; [intros i j _ _; apply S2 | ]].
   intros i j Li Lj. destruct (D i j Li Lj) as (w & z & CW & CZ & Z & Z20 & Z31 & W10 & W21 & W23 & W30).
   apply (cancel K 4); [nonzero | ].
-  rewrite eq_20_identity by apply quad_closed. cbn [quad corners cycle length nth Nat.modulo Nat.divmod Nat.sub fst snd].
+  rewrite eq_20_identity by apply quad_closed.
   unfold quad, corners, cycle. cbn.
   transitivity (4 * mixed 4 z w); [ | rewrite Z; ring]. rewrite (eq_20_identity z w CZ CW), Z20, Z31.
   assert (A : (w 3%nat - w 1%nat)%V = (s i (S j) - s (S i) j)%V).

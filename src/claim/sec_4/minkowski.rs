@@ -113,7 +113,7 @@ impl Identity for QuadDiscriminant {
     }
 }
 
-/// Directions in counter-clockwise order, from that of the x-axis.
+/// Directions in counter-clockwise order, from that of the x-axis; of vectors other than 0.
 fn by_angle<T: Ordered>(a: &Vector2<T>, b: &Vector2<T>) -> Ordering {
     let below = |v: &Vector2<T>| match (v.y.certain_sign(), v.x.certain_sign()) {
         (Some(Sign::Zero), x) => x == Some(Sign::Negative),
@@ -138,8 +138,8 @@ impl Experiment for ConvexDiscriminant {
             let w = -&(&u + &v);
             edges.extend([u, v, w].map(|edge| (edge, factor.clone())));
         }
-        // A vector of length 0 has no direction.
-        edges.retain(|(edge, _)| !(edge.x.is_zero() && edge.y.is_zero()));
+        // Zero has no direction.
+        edges.retain(|(edge, _)| !edge.length2().is_zero());
         edges.sort_by(|a, b| by_angle(&a.0, &b.0));
         let origin = TopView::new(T::zero(), T::zero());
         let (mut f, mut s) = (vec![origin.clone()], vec![origin]);

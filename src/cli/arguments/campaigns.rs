@@ -64,7 +64,7 @@ prints a test for it.
 Exit code: 0 the property holds on it; 1 it fails; 3 the case is outside of the hypotheses.
 Examples:
   isogeo replay decider-any:1:4711
-  isogeo replay control-meshes-are-planar:1:0 --shrink -o smallest.iso.json")]
+  isogeo replay control-meshes-are-planar:2:0 --shrink -o smallest.iso.json")]
 pub struct ReplayOptions {
     /// The case: property:seed:index, or a file
     pub case: String,
