@@ -32,7 +32,9 @@ mod sec_4;
 mod trial;
 mod verify;
 
-pub use certificate::{Certificate, Findings, Part, Refused, Script, Step, certificate};
+pub use certificate::{
+    Certificate, Combination, Findings, Part, Refused, Script, Step, certificate,
+};
 pub use control::{Control, Counterexample};
 pub use decide::{Condition, Decision, Undecided};
 pub use draw::{NoSeed, Seed};

@@ -20,7 +20,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::scalar::ReadAs;
 #[cfg(feature = "campaigns")]
 pub use campaigns::{FuzzOptions, MergeOptions, ReplayOptions};
-pub use claims::{CertificateOptions, ClaimsCommand, ClaimsOptions, VerifyOptions};
+pub use claims::{CertificateOptions, ClaimsCommand, ClaimsOptions, System, VerifyOptions};
 #[cfg(feature = "optimise")]
 pub use design::{Approach, CertifyOptions, OptimizeOptions, Slide, Wish};
 pub use figures::{FigureKind, FigureOptions, ViewOptions};

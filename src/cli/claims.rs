@@ -6,7 +6,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde_json::{Value, json};
 
-use super::arguments::{CertificateOptions, ClaimsCommand, ClaimsOptions, Layout, VerifyOptions};
+use super::arguments::{
+    CertificateOptions, ClaimsCommand, ClaimsOptions, Layout, System, VerifyOptions,
+};
 use super::failure::Failure;
 use super::{Status, output};
 use crate::claim::{
@@ -192,8 +194,13 @@ fn certify(options: &CertificateOptions, layout: Layout) -> Result<Status, Failu
             let _ = writeln!(text, "{:<22} left out: it is not decided", claim.id);
             continue;
         };
-        let path = options.out.join(certificate.file_name());
-        write_whole(&path, certificate.coq().as_bytes())?;
+        let (ending, content) = match options.system {
+            System::Coq => ("v", certificate.coq()),
+            System::Lean => ("lean", certificate.lean()),
+            System::Singular => ("sing", certificate.singular()),
+        };
+        let path = options.out.join(certificate.file_name()).with_extension(ending);
+        write_whole(&path, content.as_bytes())?;
         let file = path.display().to_string();
         let programs = certificate.scripts().count();
         let operations: usize = certificate.scripts().map(Script::nodes).sum();
@@ -201,18 +208,17 @@ fn certify(options: &CertificateOptions, layout: Layout) -> Result<Status, Failu
         let not = if checked { "" } else { "not " };
         let _ = writeln!(
             text,
-            "{:<22} {file}: {programs} programs, {operations} operations, {not}checked",
+            "{:<22} {file}: {programs} programs, {operations} operations, {not}checked by Coq",
             claim.id
         );
         let left_out = certificate.parts.iter().filter_map(|part| part.script.as_ref().err());
         values.push(json!({
             "id": claim.id,
             "file": file,
-            "sha256": certificate.hash(),
             "programs": programs,
             "operations": operations,
             "left_out": left_out.collect::<Vec<_>>(),
-            "checked": checked,
+            "checked_by_coq": checked,
         }));
     }
     if layout.is_json() {

@@ -66,45 +66,37 @@ Definition part_1_size_1 : list step := [
   Mul 4 2; Sub 1 0; Constant 1; Div 0 1; Mul 7 5; Mul 9 8; Sub 1 0; Mul 0 3; Mul 0 5; Add 75 0;
   Sub 17 76; Sub 17 77; Mul 14 0; Mul 14 2; Sub 1 0; Div 12 0; Mul 19 4; Mul 18 20; Sub 1 0;
   Mul 0 3; Mul 0 17; Add 87 0; Sub 12 0;
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
+  ShowNonzero 0; (* as src/space/gradient.rs finds *)
   Neg 95; Div 82 66; Mul 1 0; Mul 99 1; Sub 1 93; Sub 1 94; Mul 18 0; Mul 18 2; Sub 1 0; Div 29 0;
   Mul 36 4; Mul 22 37; Sub 1 0; Mul 0 3; Mul 0 34; Add 104 0; Sub 29 0;
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
+  ShowNonzero 0; (* as src/space/gradient.rs finds *)
   Sub 18 1;
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
+  ShowNonzero 0; (* as src/space/gradient.rs finds *)
   Mul 13 45; Mul 13 47; Sub 1 0; Div 41 0; Mul 48 49; Mul 17 49; Sub 1 0; Mul 0 3; Mul 0 46;
   Add 116 0; Sub 41 0;
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
+  ShowNonzero 0; (* as src/space/gradient.rs finds *)
   Sub 30 1;
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
+  ShowNonzero 0; (* as src/space/gradient.rs finds *)
   Sub 14 2;
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
-  ShowNonzero 2; (* src/space/gradient.rs:12 *)
+  ShowNonzero 0; (* as src/space/gradient.rs finds *)
   Sub 61 28; Sub 61 28; Sub 122 122; Sub 68 31; Sub 68 31; Mul 4 0; Mul 4 2; Sub 1 0; Div 59 0;
   Mul 6 4; Mul 8 7; Sub 1 0; Mul 0 3; Mul 12 10; Mul 11 10; Sub 1 0; Mul 0 7; Mul 4 45; Mul 1 45;
   Add 1 0; Sub 140 0; Add 1 0; Sub 142 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 84; Mul 7 84; Add 1 0; Add 0 5; Sub 147 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 93; Mul 12 93; Add 1 0; Add 0 10; Sub 152 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 102; Mul 17 102; Add 1 0; Add 0 15; Sub 157 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 25 89; Add 159 0; Sub 55 0;
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
+  ShowNonzero 0; (* as src/space/gradient.rs finds *)
   Sub 44 1;
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
+  ShowNonzero 0; (* as src/space/gradient.rs finds *)
   Sub 74 2;
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
-  ShowNonzero 2; (* src/space/gradient.rs:12 *)
+  ShowNonzero 0; (* as src/space/gradient.rs finds *)
   Sub 87 3;
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
-  ShowNonzero 1; (* src/space/gradient.rs:12 *)
-  ShowNonzero 0; (* src/space/gradient.rs:12 *)
-  ShowNonzero 2; (* src/space/gradient.rs:12 *)
+  ShowNonzero 0; (* as src/space/gradient.rs finds *)
   Mul 103 101; Mul 102 101; Sub 1 0; Mul 0 97; Mul 94 94; Mul 1 1; Add 1 0; Mul 102 0;
   Div 103 209; Mul 1 0; Mul 174 100; Mul 175 7; Add 1 0; Add 0 177; Add 4 0; Mul 11 110;
   Add 180 0; Mul 105 107; Mul 1 14; Add 1 0; Sub 5 0; Mul 121 122; Mul 123 109; Sub 1 0;
@@ -116,61 +108,57 @@ Definition part_1_size_1 : list step := [
   Sub 11 51; Sub 5 7; Mul 5 1; Mul 5 3; Sub 1 0; Div 168 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3;
   Mul 13 8; Mul 12 11; Sub 1 0; Mul 0 7; Mul 4 170; Mul 1 66; Add 1 0; Sub 23 0; Neg 0; Mul 146 9;
   Mul 31 6; Add 1 0; Add 0 29; Sub 4 0;
-  ShowZero 0; (* src/construct/circumscribed.rs:87 *)
+  ShowZero 0; (* as src/construct/circumscribed.rs finds *)
   Mul 162 193; Mul 194 196; Sub 1 0; Mul 0 148; Mul 145 145; Mul 1 1; Add 1 0; Mul 194 0;
   Mul 0 91; Mul 265 150; Mul 266 6; Add 1 0; Add 0 268; Add 4 0; Mul 10 201; Add 271 0;
   Mul 155 157; Mul 1 13; Add 1 0; Sub 5 0; Mul 159 34; Mul 5 31; Add 1 0; Add 0 3; Sub 29 0;
-  ShowZero 0; (* src/construct/circumscribed.rs:87 *)
+  ShowZero 0; (* as src/construct/circumscribed.rs finds *)
   Mul 148 148; Mul 145 145; Add 1 0; Mul 215 0; Mul 0 112; Mul 286 153; Mul 287 150; Add 1 0;
   Add 0 289; Add 4 0; Mul 154 222; Add 292 0; Mul 133 160; Mul 1 157; Add 1 0; Sub 5 0; Neg 21;
   Neg 1; Sub 182 223; Sub 28 119; Sub 3 75; Sub 142 226; Sub 10 122; Sub 5 78; Mul 5 1; Mul 5 3;
   Sub 1 0; Div 239 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11; Sub 1 0; Mul 0 7;
   Mul 4 241; Mul 1 137; Add 1 0; Sub 94 0; Neg 0; Mul 162 9; Mul 30 6; Add 1 0; Add 0 28; Sub 4 0;
-  ShowZero 0; (* src/construct/circumscribed.rs:87 *)
+  ShowZero 0; (* as src/construct/circumscribed.rs finds *)
   Mul 98 23; Mul 98 25; Sub 1 0; Div 261 0; Mul 100 27; Mul 102 27; Sub 1 0; Mul 0 3; Mul 106 30;
   Mul 105 33; Sub 1 0; Mul 0 7; Mul 4 263; Mul 1 159; Add 1 0; Sub 116 0; Neg 0; Mul 184 9;
   Mul 52 6; Add 1 0; Add 0 50; Sub 4 0;
-  ShowZero 0; (* src/construct/circumscribed.rs:87 *)
+  ShowZero 0; (* as src/construct/circumscribed.rs finds *)
   Sub 244 261; Sub 129 149; Sub 123 124; Sub 192 264; Sub 60 152; Sub 55 127; Mul 5 1; Mul 5 3;
   Sub 1 0; Div 289 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11; Sub 1 0; Mul 0 7;
   Mul 4 279; Mul 1 167; Add 1 0; Sub 143 0; Neg 0; Mul 212 9; Mul 80 6; Add 1 0; Add 0 78;
   Sub 4 0;
-  ShowZero 0; (* src/construct/circumscribed.rs:87 *)
+  ShowZero 0; (* as src/construct/circumscribed.rs finds *)
   Sub 260 272; Sub 106 157; Sub 81 151; Sub 220 275; Sub 88 160; Sub 83 154; Mul 5 1; Mul 5 3;
   Sub 1 0; Div 317 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11; Sub 1 0; Mul 0 7;
   Mul 4 290; Mul 1 175; Add 1 0; Sub 170 0; Neg 0; Mul 240 9; Mul 108 6; Add 1 0; Add 0 106;
   Sub 4 0;
-  ShowZero 0; (* src/construct/circumscribed.rs:87 *)
+  ShowZero 0; (* as src/construct/circumscribed.rs finds *)
   Mul 331 163; Mul 238 160; Add 1 0; Sub 157 0; Mul 335 96; Mul 242 93; Add 1 0; Add 0 3;
   Sub 91 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 340 79; Mul 247 76; Add 1 0; Add 0 8; Sub 74 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 333 177; Mul 231 174; Add 1 0; Sub 171 0; Mul 337 88; Mul 235 85; Add 1 0; Add 0 3;
   Sub 83 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 342 65; Mul 240 62; Add 1 0; Add 0 8; Sub 60 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 330 191; Mul 225 188; Add 1 0; Sub 185 0; Mul 334 74; Mul 229 71; Add 1 0; Add 0 3;
   Sub 69 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 339 51; Mul 234 48; Add 1 0; Add 0 8; Sub 46 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 332 205; Mul 188 202; Add 1 0; Sub 199 0; Mul 336 60; Mul 192 57; Add 1 0; Add 0 3;
   Sub 55 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 341 143; Mul 197 140; Add 1 0; Add 0 8; Sub 138 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
-  ShowZero 318; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 313; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 308; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 303; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 328 70; Mul 325 67; Add 1 0; Sub 64 0; Mul 332 102; Mul 329 99; Add 1 0; Add 0 3; Sub 97 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 337 135; Mul 334 132; Add 1 0; Add 0 8; Sub 130 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 342 162; Mul 339 159; Add 1 0; Add 0 13; Sub 157 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 238 238; Mul 235 235; Add 1 0; Mul 520 232; Sub 1 0; Sub 521 243; Sub 521 240; Mul 1 1;
   Mul 1 1; Add 1 0; Sub 0 5;
   ShowZero 0; (* on the circle about s' *)

@@ -52,161 +52,145 @@ Definition part_1_size_1 : list step := [
   Sub 6 28; Sub 3 25; Mul 3 0; Mul 3 2; Sub 1 0;
   Nonzero 0; (* the gradients at no vertex are collinear: no dual face is vertical *)
   Mul 33 191; Mul 30 191; Add 1 0; Sub 52 0; Add 1 0; Sub 54 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 39 199; Mul 36 199; Add 1 0; Add 0 5; Sub 67 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 44 212; Mul 41 212; Add 1 0; Add 0 10; Sub 88 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 221 188; Mul 221 188; Add 1 0; Add 0 88; Mul 53 192; Mul 50 192; Add 1 0; Add 0 19; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Unknown 33; Mul 231 155; Mul 231 155; Add 1 0; Sub 3 0; Mul 235 154; Mul 235 154; Add 1 0;
   Add 0 3; Mul 239 156; Mul 239 156; Add 1 0; Add 0 7; Mul 71 160; Mul 68 160; Add 1 0; Sub 3 0;
   Mul 75 166; Mul 72 166; Add 1 0; Add 0 3; Sub 12 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 80 176; Mul 77 176; Add 1 0; Add 0 8; Sub 25 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 257 162; Mul 257 162; Add 1 0; Add 0 25; Mul 89 166; Mul 86 166; Add 1 0; Add 0 17; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 243 262; Mul 243 262; Add 1 0; Sub 137 0; Mul 247 229; Mul 247 229; Add 1 0; Add 0 3;
   Sub 142 49; Sub 1 50; Div 109 227; Mul 2 231; Mul 234 2; Sub 1 0; Mul 0 3; Mul 238 5; Mul 7 237;
   Sub 1 0; Mul 0 7; Mul 4 252; Mul 1 252; Add 1 0; Sub 63 0; Add 1 0; Sub 65 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 287; Mul 7 287; Add 1 0; Add 0 5; Sub 163 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 255; Mul 12 255; Add 1 0; Add 0 10; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Unknown 34; Unknown 35; Mul 280 1; Mul 280 1; Add 1 0; Add 0 36; Mul 26 5; Mul 23 5; Add 1 0;
   Add 0 21; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 31 217; Mul 28 217; Add 1 0; Sub 54 0; Mul 35 240; Mul 32 240; Add 1 0; Add 0 3; Sub 89 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 298 245; Mul 298 245; Add 1 0; Sub 93 0; Mul 302 225; Mul 302 225; Add 1 0; Add 0 3;
   Mul 48 229; Mul 45 229; Add 1 0; Add 0 16; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Unknown 36; Unknown 37; Mul 313 1; Mul 313 1; Add 1 0; Add 0 14; Mul 59 5; Mul 56 5; Add 1 0;
   Add 0 27; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 162 333; Mul 159 333; Add 1 0; Sub 200 0; Add 1 0; Sub 202 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 168 293; Mul 165 293; Add 1 0; Add 0 5; Sub 195 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 173 300; Mul 170 300; Add 1 0; Add 0 10; Sub 208 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 178 357; Mul 175 357; Add 1 0; Add 0 15; Sub 233 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 364 290; Mul 364 290; Add 1 0; Sub 138 0; Mul 368 256; Mul 368 256; Add 1 0; Add 0 3;
   Mul 191 293; Mul 188 293; Add 1 0; Sub 138 0; Mul 195 264; Mul 192 264; Add 1 0; Add 0 3;
   Sub 8 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 381 271; Mul 381 271; Add 1 0; Add 0 16; Mul 204 275; Mul 201 275; Add 1 0; Add 0 12;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 209 316; Mul 206 316; Add 1 0; Add 0 17; Sub 165 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 203 393; Mul 200 393; Add 1 0; Sub 268 0; Add 1 0; Sub 270 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 209 347; Mul 206 347; Add 1 0; Add 0 5; Sub 255 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 214 341; Mul 211 341; Add 1 0; Add 0 10; Sub 248 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 219 372; Mul 216 372; Add 1 0; Add 0 15; Sub 143 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 224 342; Mul 221 342; Add 1 0; Sub 190 0; Mul 228 310; Mul 225 310; Add 1 0; Add 0 3;
   Sub 39 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 402 351; Mul 402 351; Add 1 0; Sub 199 0; Mul 406 308; Mul 406 308; Add 1 0; Add 0 3;
   Mul 241 312; Mul 238 312; Add 1 0; Add 0 16; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 246 340; Mul 243 340; Add 1 0; Add 0 21; Sub 115 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
-  ShowZero 234; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 229; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 224; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 215; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 154; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 149; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 144; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 133; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 94; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 89; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 84; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 79; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 42; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 37; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 32; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 27; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Sub 206 202; Sub 215 203; Div 280 356; Mul 2 360; Mul 363 2; Sub 1 0; Mul 0 3; Mul 367 5;
   Mul 7 366; Sub 1 0; Mul 0 7; Mul 4 373; Mul 1 373; Add 1 0; Sub 216 0; Add 1 0; Sub 218 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 381; Mul 7 381; Add 1 0; Add 0 5; Sub 227 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 391; Mul 12 391; Add 1 0; Add 0 10; Sub 240 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 377; Mul 17 377; Add 1 0; Add 0 15; Sub 215 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 246 216; Sub 149 217; Div 312 371; Mul 2 375; Mul 378 2; Sub 1 0; Mul 0 3; Mul 382 5;
   Mul 7 381; Sub 1 0; Mul 0 7; Mul 4 393; Mul 1 393; Add 1 0; Sub 230 0; Add 1 0; Sub 232 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 418; Mul 7 418; Add 1 0; Add 0 5; Sub 267 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 399; Mul 12 399; Add 1 0; Add 0 10; Sub 174 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 169; Mul 17 169; Add 1 0; Add 0 15; Sub 168 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 135 270; Sub 123 271; Div 344 389; Mul 2 393; Mul 396 2; Sub 1 0; Mul 0 3; Mul 400 5;
   Mul 7 399; Sub 1 0; Mul 0 7; Mul 4 439; Mul 1 439; Add 1 0; Sub 284 0; Add 1 0; Sub 286 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 412; Mul 7 412; Add 1 0; Add 0 5; Sub 156 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 419; Mul 12 419; Add 1 0; Add 0 10; Sub 148 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 460; Mul 17 460; Add 1 0; Add 0 15; Sub 309 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 154 310; Sub 107 311; Div 376 412; Mul 2 416; Mul 419 2; Sub 1 0; Mul 0 3; Mul 423 5;
   Mul 7 422; Sub 1 0; Mul 0 7; Mul 4 476; Mul 1 476; Add 1 0; Sub 324 0; Add 1 0; Sub 326 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 446; Mul 7 446; Add 1 0; Add 0 5; Sub 175 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 440; Mul 12 440; Add 1 0; Add 0 10; Sub 132 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 468; Mul 17 468; Add 1 0; Add 0 15; Sub 243 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 121 401;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 118 398;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 91 294;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 88 291;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 61 394;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 58 391;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 31 385;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 28 382;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Neg 372; Neg 233; Neg 182; Sub 1 2; Sub 1 3; Div 419 381; Mul 2 385; Mul 388 2; Sub 1 0;
   Mul 0 3; Mul 392 5; Mul 7 391; Sub 1 0; Mul 0 7; Mul 4 423; Mul 1 420; Add 1 0; Sub 16 0;
   Add 1 0; Sub 18 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 418; Mul 7 415; Add 1 0; Add 0 5; Sub 22 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 412; Mul 12 409; Add 1 0; Add 0 10; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Neg 322; Mul 21 331; Mul 18 328; Add 1 0; Add 0 16; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Neg 157; Neg 94; Neg 63; Sub 104 168; Sub 101 165; Sub 3 4; Sub 75 171; Sub 72 168; Sub 5 7;
   Mul 5 1; Mul 5 3; Sub 1 0; Div 462 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11;
   Sub 1 0; Mul 0 7; Mul 4 186; Mul 1 183; Add 1 0; Sub 23 0; Add 1 0; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 128; Mul 7 125; Add 1 0; Add 0 5; Sub 29 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 101; Mul 12 98; Add 1 0; Add 0 10; Sub 33 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Neg 162; Mul 21 171; Mul 18 168; Add 1 0; Add 0 16; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 488 208; Sub 485 205; Mul 1 1; Mul 1 1; Add 1 0;
   ShowZero 0; (* parallel points *)
   Sub 384 181; Sub 381 178; Mul 1 1; Mul 1 1; Add 1 0;

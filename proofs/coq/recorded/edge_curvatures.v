@@ -31,24 +31,24 @@ Definition part_1_size_3 : list step := [
   Add 0 7; Mul 43 45; Mul 43 45; Add 1 0; Add 0 11; Mul 47 12; Mul 47 13; Add 1 0; Add 0 15;
   Mul 51 13; Mul 51 13; Add 1 0; Add 0 19; Sub 8 12; Sub 17 21; Sub 2 6; Mul 55 0; Mul 3 2;
   Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 23 26; Mul 6 0; Mul 61 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 63 8; Mul 63 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 54 34; Mul 54 35; Add 32 1; Add 32 1; Mul 72 60; Mul 72 60; Add 1 0; Add 0 40; Mul 76 5;
   Mul 76 5; Add 1 0; Add 0 44; Sub 4 33; Sub 9 42; Sub 2 27; Mul 68 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 48; Mul 6 0; Mul 74 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 76 8; Mul 76 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 50 17; Sub 59 22; Sub 44 15; Mul 71 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 64 28; Mul 6 0; Mul 77 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 79 8; Mul 79 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 104 44; Mul 104 50; Add 1 0; Mul 53 51; Add 1 0; Mul 55 55; Add 106 0; Div 2 0; Sub 0 80;
   ShowZero 0; (* κ *)
   Mul 101 28; Mul 101 34; Add 1 0; Mul 37 35; Add 1 0; Mul 39 39; Add 103 0; Div 2 0; Sub 0 89;
@@ -91,32 +91,32 @@ Definition part_1_size_4 : list step := [
   Add 0 7; Mul 47 49; Mul 47 49; Add 1 0; Add 0 11; Mul 51 12; Mul 51 13; Add 1 0; Add 0 15;
   Mul 55 13; Mul 55 13; Add 1 0; Add 0 19; Sub 8 12; Sub 17 21; Sub 2 6; Mul 59 0; Mul 3 2;
   Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 23 26; Mul 6 0; Mul 65 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 67 8; Mul 67 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 11; Mul 61 0; Mul 61 1; Add 33 1; Add 33 1; Mul 77 90; Mul 77 90; Add 1 0; Add 0 41;
   Mul 81 5; Mul 81 5; Add 1 0; Add 0 45; Sub 4 34; Sub 9 43; Sub 2 28; Mul 75 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 49; Mul 6 0; Mul 81 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 83 8; Mul 83 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 59 22; Sub 60 22; Mul 1 106; Mul 1 108; Sub 1 0; Div 0 106; Mul 113 0; Mul 113 1; Add 30 1;
   Add 30 1; Mul 108 119; Mul 108 119; Add 1 0; Add 0 72; Mul 112 5; Mul 112 5; Add 1 0; Add 0 76;
   Sub 4 35; Sub 9 40; Sub 2 33; Mul 127 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 46; Mul 6 0; Mul 133 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 135 8; Mul 135 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 82 17; Sub 91 22; Sub 76 15; Mul 138 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 96 28; Mul 6 0; Mul 144 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 146 8; Mul 146 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 140 76; Mul 140 82; Add 1 0; Mul 85 83; Add 1 0; Mul 87 87; Add 142 0; Div 2 0; Sub 0 112;
   ShowZero 0; (* κ *)
   Mul 139 59; Mul 139 65; Add 1 0; Mul 68 66; Add 1 0; Mul 70 70; Add 141 0; Div 2 0; Sub 0 86;
@@ -179,40 +179,40 @@ Definition part_1_size_5 : list step := [
   Add 0 7; Mul 59 61; Mul 59 61; Add 1 0; Add 0 11; Mul 63 12; Mul 63 13; Add 1 0; Add 0 15;
   Mul 67 13; Mul 67 13; Add 1 0; Add 0 19; Sub 8 12; Sub 17 21; Sub 2 6; Mul 71 0; Mul 3 2;
   Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 23 26; Mul 6 0; Mul 77 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 79 8; Mul 79 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 13; Mul 71 0; Mul 71 1; Add 33 1; Add 33 1; Mul 89 77; Mul 89 77; Add 1 0; Add 0 41;
   Mul 93 5; Mul 93 5; Add 1 0; Add 0 45; Sub 4 34; Sub 9 43; Sub 2 28; Mul 85 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 49; Mul 6 0; Mul 91 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 93 8; Mul 93 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 14; Mul 87 0; Mul 87 1; Add 25 1; Add 25 1; Mul 115 128; Mul 115 128; Add 1 0; Add 0 67;
   Mul 119 5; Mul 119 5; Add 1 0; Add 0 71; Sub 4 30; Sub 9 35; Sub 2 28; Mul 101 0; Mul 3 2;
   Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 41; Mul 6 0; Mul 107 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 109 8; Mul 109 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 85 22; Sub 86 22; Mul 1 144; Mul 1 146; Sub 1 0; Div 0 144; Mul 151 0; Mul 151 1; Add 30 1;
   Add 30 1; Mul 146 157; Mul 146 157; Add 1 0; Add 0 98; Mul 150 5; Mul 150 5; Add 1 0; Add 0 102;
   Sub 4 35; Sub 9 40; Sub 2 33; Mul 165 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 46; Mul 6 0; Mul 171 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 173 8; Mul 173 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 108 17; Sub 117 22; Sub 102 15; Mul 176 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 122 28; Mul 6 0; Mul 182 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 184 8; Mul 184 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 178 102; Mul 178 108; Add 1 0; Mul 111 109; Add 1 0; Mul 113 113; Add 180 0; Div 2 0;
   Sub 0 138;
   ShowZero 0; (* κ *)
@@ -278,49 +278,49 @@ Definition part_1_size_6 : list step := [
   Add 0 7; Mul 71 73; Mul 71 73; Add 1 0; Add 0 11; Mul 75 12; Mul 75 13; Add 1 0; Add 0 15;
   Mul 79 13; Mul 79 13; Add 1 0; Add 0 19; Sub 8 12; Sub 17 21; Sub 2 6; Mul 83 0; Mul 3 2;
   Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 23 26; Mul 6 0; Mul 89 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 91 8; Mul 91 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 15; Mul 83 0; Mul 83 1; Add 33 1; Add 33 1; Mul 101 89; Mul 101 89; Add 1 0; Add 0 41;
   Mul 105 5; Mul 105 5; Add 1 0; Add 0 45; Sub 4 34; Sub 9 43; Sub 2 28; Mul 97 0; Mul 3 2;
   Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 49; Mul 6 0; Mul 103 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 105 8; Mul 105 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 16; Mul 97 0; Mul 97 1; Add 25 1; Add 25 1; Mul 127 103; Mul 127 103; Add 1 0; Add 0 67;
   Mul 131 5; Mul 131 5; Add 1 0; Add 0 71; Sub 4 30; Sub 9 35; Sub 2 28; Mul 111 0; Mul 3 2;
   Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 41; Mul 6 0; Mul 117 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 119 8; Mul 119 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 17; Mul 113 0; Mul 113 1; Add 25 1; Add 25 1; Mul 153 166; Mul 153 166; Add 1 0;
   Add 0 93; Mul 157 5; Mul 157 5; Add 1 0; Add 0 97; Sub 4 30; Sub 9 35; Sub 2 28; Mul 127 0;
   Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 41; Mul 6 0; Mul 133 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 135 8; Mul 135 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 111 22; Sub 112 22; Mul 1 182; Mul 1 184; Sub 1 0; Div 0 182; Mul 189 0; Mul 189 1;
   Add 30 1; Add 30 1; Mul 184 195; Mul 184 195; Add 1 0; Add 0 124; Mul 188 5; Mul 188 5; Add 1 0;
   Add 0 128; Sub 4 35; Sub 9 40; Sub 2 33; Mul 203 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 46; Mul 6 0; Mul 209 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 211 8; Mul 211 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 134 17; Sub 143 22; Sub 128 15; Mul 214 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 148 28; Mul 6 0; Mul 220 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 222 8; Mul 222 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 216 128; Mul 216 134; Add 1 0; Mul 137 135; Add 1 0; Mul 139 139; Add 218 0; Div 2 0;
   Sub 0 164;
   ShowZero 0; (* κ *)
@@ -401,57 +401,57 @@ Definition part_1_size_7 : list step := [
   Add 0 7; Mul 83 85; Mul 83 85; Add 1 0; Add 0 11; Mul 87 12; Mul 87 13; Add 1 0; Add 0 15;
   Mul 91 13; Mul 91 13; Add 1 0; Add 0 19; Sub 8 12; Sub 17 21; Sub 2 6; Mul 95 0; Mul 3 2;
   Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 23 26; Mul 6 0; Mul 101 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 103 8; Mul 103 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 17; Mul 95 0; Mul 95 1; Add 33 1; Add 33 1; Mul 113 101; Mul 113 101; Add 1 0; Add 0 41;
   Mul 117 5; Mul 117 5; Add 1 0; Add 0 45; Sub 4 34; Sub 9 43; Sub 2 28; Mul 109 0; Mul 3 2;
   Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 49; Mul 6 0; Mul 115 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 117 8; Mul 117 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 18; Mul 109 0; Mul 109 1; Add 25 1; Add 25 1; Mul 139 115; Mul 139 115; Add 1 0;
   Add 0 67; Mul 143 5; Mul 143 5; Add 1 0; Add 0 71; Sub 4 30; Sub 9 35; Sub 2 28; Mul 123 0;
   Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 41; Mul 6 0; Mul 129 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 131 8; Mul 131 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 19; Mul 123 0; Mul 123 1; Add 25 1; Add 25 1; Mul 165 129; Mul 165 129; Add 1 0;
   Add 0 93; Mul 169 5; Mul 169 5; Add 1 0; Add 0 97; Sub 4 30; Sub 9 35; Sub 2 28; Mul 137 0;
   Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 41; Mul 6 0; Mul 143 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 145 8; Mul 145 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 20; Mul 139 0; Mul 139 1; Add 25 1; Add 25 1; Mul 191 204; Mul 191 204; Add 1 0;
   Add 0 119; Mul 195 5; Mul 195 5; Add 1 0; Add 0 123; Sub 4 30; Sub 9 35; Sub 2 28; Mul 153 0;
   Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 41; Mul 6 0; Mul 159 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 161 8; Mul 161 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 137 22; Sub 138 22; Mul 1 220; Mul 1 222; Sub 1 0; Div 0 220; Mul 227 0; Mul 227 1;
   Add 30 1; Add 30 1; Mul 222 233; Mul 222 233; Add 1 0; Add 0 150; Mul 226 5; Mul 226 5; Add 1 0;
   Add 0 154; Sub 4 35; Sub 9 40; Sub 2 33; Mul 241 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 46; Mul 6 0; Mul 247 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 249 8; Mul 249 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 160 17; Sub 169 22; Sub 154 15; Mul 252 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 174 28; Mul 6 0; Mul 258 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 260 8; Mul 260 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 254 154; Mul 254 160; Add 1 0; Mul 163 161; Add 1 0; Mul 165 165; Add 256 0; Div 2 0;
   Sub 0 190;
   ShowZero 0; (* κ *)
@@ -547,65 +547,65 @@ Definition part_1_size_8 : list step := [
   Add 0 7; Mul 95 97; Mul 95 97; Add 1 0; Add 0 11; Mul 99 12; Mul 99 13; Add 1 0; Add 0 15;
   Mul 103 13; Mul 103 13; Add 1 0; Add 0 19; Sub 8 12; Sub 17 21; Sub 2 6; Mul 107 0; Mul 3 2;
   Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 23 26; Mul 6 0; Mul 113 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 115 8; Mul 115 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 19; Mul 107 0; Mul 107 1; Add 33 1; Add 33 1; Mul 125 113; Mul 125 113; Add 1 0;
   Add 0 41; Mul 129 5; Mul 129 5; Add 1 0; Add 0 45; Sub 4 34; Sub 9 43; Sub 2 28; Mul 121 0;
   Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 49; Mul 6 0; Mul 127 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 129 8; Mul 129 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 20; Mul 121 0; Mul 121 1; Add 25 1; Add 25 1; Mul 151 127; Mul 151 127; Add 1 0;
   Add 0 67; Mul 155 5; Mul 155 5; Add 1 0; Add 0 71; Sub 4 30; Sub 9 35; Sub 2 28; Mul 135 0;
   Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 41; Mul 6 0; Mul 141 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 143 8; Mul 143 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 21; Mul 135 0; Mul 135 1; Add 25 1; Add 25 1; Mul 177 141; Mul 177 141; Add 1 0;
   Add 0 93; Mul 181 5; Mul 181 5; Add 1 0; Add 0 97; Sub 4 30; Sub 9 35; Sub 2 28; Mul 149 0;
   Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 41; Mul 6 0; Mul 155 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 157 8; Mul 157 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 22; Mul 149 0; Mul 149 1; Add 25 1; Add 25 1; Mul 203 155; Mul 203 155; Add 1 0;
   Add 0 119; Mul 207 5; Mul 207 5; Add 1 0; Add 0 123; Sub 4 30; Sub 9 35; Sub 2 28; Mul 163 0;
   Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 41; Mul 6 0; Mul 169 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 171 8; Mul 171 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 23; Mul 165 0; Mul 165 1; Add 25 1; Add 25 1; Mul 229 242; Mul 229 242; Add 1 0;
   Add 0 145; Mul 233 5; Mul 233 5; Add 1 0; Add 0 149; Sub 4 30; Sub 9 35; Sub 2 28; Mul 179 0;
   Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 41; Mul 6 0; Mul 185 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 187 8; Mul 187 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 163 22; Sub 164 22; Mul 1 258; Mul 1 260; Sub 1 0; Div 0 258; Mul 265 0; Mul 265 1;
   Add 30 1; Add 30 1; Mul 260 271; Mul 260 271; Add 1 0; Add 0 176; Mul 264 5; Mul 264 5; Add 1 0;
   Add 0 180; Sub 4 35; Sub 9 40; Sub 2 33; Mul 279 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 15 46; Mul 6 0; Mul 285 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 287 8; Mul 287 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 186 17; Sub 195 22; Sub 180 15; Mul 290 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 200 28; Mul 6 0; Mul 296 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 298 8; Mul 298 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 292 180; Mul 292 186; Add 1 0; Mul 189 187; Add 1 0; Mul 191 191; Add 294 0; Div 2 0;
   Sub 0 216;
   ShowZero 0; (* κ *)

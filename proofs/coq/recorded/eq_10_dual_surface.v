@@ -30,52 +30,40 @@ Definition part_1_size_2 : list step := [
   Unknown 5;
   Nonzero 0; (* a coefficient is not 0; those with 0 are limits *)
   Constant 1; Mul 0 4;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 1 3;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 9 3;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 3 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 11 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 3; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 5 2;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 6 4;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 7 2;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 7; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 6; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 5; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 4; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 3; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 6; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 8; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 8; (* as src/space/polynomial.rs finds *)
   Mul 8 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 2; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 3; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 9; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 9 5;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 2; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 3; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Add 3 3;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 17;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 17; Add 0 3;
-  ShowZero 0; (* src/space/polynomial.rs:93 *)
+  ShowZero 0; (* as src/space/polynomial.rs finds *)
   Neg 17; Add 0 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 20; Add 0 8;
-  ShowZero 0; (* src/space/polynomial.rs:93 *)
+  ShowZero 0; (* as src/space/polynomial.rs finds *)
   Neg 20; Add 0 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 21; Add 0 15;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Unknown 6; Unknown 7; Constant 0; Mul 24 25; Mul 0 26; Add 2 0; Mul 26 28; Mul 29 5; Mul 1 0;
   Add 3 0; Mul 32 9; Mul 30 0; Mul 0 34; Add 3 0; Sub 0 0;
   ShowZero 0; (* pole of the tangent plane *)
@@ -125,103 +113,82 @@ Definition part_1_size_3 : list step := [
   Unknown 9;
   Nonzero 0; (* a coefficient is not 0; those with 0 are limits *)
   Constant 1; Mul 0 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 1 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 2 5;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 15 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 16 6;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 16 6;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 6 15;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 19 14;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 19 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 7; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 21 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 10 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 11 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 12 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 25 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 14 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 27 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 3; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 16 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 29 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 18 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 18; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 17; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 16; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 15; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 14; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 13; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 12; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 11; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 10; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 17; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 9; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 8; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 19; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 19; (* as src/space/polynomial.rs finds *)
   Mul 19 18;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 5; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 20 17;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 9; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 8; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 21 15;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 22; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 22 15;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 6; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 23 14;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 9; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 5; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 24 13;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Add 10 10;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Add 7 5;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Add 2 14;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 38;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 38; Add 0 7;
-  ShowZero 0; (* src/space/polynomial.rs:93 *)
+  ShowZero 0; (* as src/space/polynomial.rs finds *)
   Neg 38; Add 0 15;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 37; Add 0 10;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 43; Add 0 16;
-  ShowZero 0; (* src/space/polynomial.rs:93 *)
+  ShowZero 0; (* as src/space/polynomial.rs finds *)
   Neg 43; Add 0 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 42; Add 0 13;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 46; Add 0 30;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 45; Add 0 16;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 46; Add 0 24;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Unknown 10; Unknown 11; Constant 0; Mul 49 50; Mul 0 51; Add 2 0; Mul 51 53; Mul 54 5; Mul 1 0;
   Add 3 0; Mul 54 57; Mul 3 9; Mul 1 0; Add 3 0; Mul 61 13; Mul 58 0; Mul 0 63; Add 3 0; Mul 60 3;
   Mul 0 11; Add 2 0; Mul 6 20; Mul 63 0; Mul 0 70; Add 3 0; Sub 0 0;
@@ -269,63 +236,46 @@ Definition part_2_size_2 : list step := [
   Mul 0 9; Mul 0 10; Add 6 0; Mul 12 9; Mul 0 13; Mul 0 14; Add 10 0; Mul 8 0; Mul 5 5; Sub 1 0;
   Nonzero 0; (* K != 0 *)
   Mul 19 23;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 19; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 18; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 19; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 18; (* as src/space/polynomial.rs finds *)
   Mul 20 25;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 18; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 20; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 17; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 12; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 8; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 1; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 20; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 19; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 18; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 20; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 21; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 18; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 17; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 12; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 8; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 21; (* as src/space/polynomial.rs finds *)
   Mul 21 1;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 13; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 18; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 22; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 22 1;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 10; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 14; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Add 14 14;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 30;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 30; Add 0 3;
-  ShowZero 0; (* src/space/polynomial.rs:93 *)
+  ShowZero 0; (* as src/space/polynomial.rs finds *)
   Neg 30; Add 0 15;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 33; Add 0 8;
-  ShowZero 0; (* src/space/polynomial.rs:93 *)
+  ShowZero 0; (* as src/space/polynomial.rs finds *)
   Neg 33; Add 0 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 34; Add 0 30;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 31; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 26; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 26; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 22; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 35 2;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 43 1;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 44 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 2; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 38 1;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 39 3;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 40 2;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Unknown 6; Unknown 7; Mul 7 43; Mul 44 1; Mul 1 0; Add 41 0; Mul 47 5; Mul 11 0; Mul 0 49;
   Add 3 0; Mul 13 51; Mul 0 7; Add 48 0; Mul 18 6; Mul 0 55; Add 2 0; Div 57 38; Neg 46; Mul 43 1;
   Mul 1 2; Mul 10 1; Mul 5 1; Add 1 0; Sub 0 22;
@@ -381,148 +331,114 @@ Definition part_2_size_3 : list step := [
   Add 2 0; Mul 6 23; Mul 0 44; Add 2 0; Mul 23 0; Mul 13 13; Sub 1 0;
   Nonzero 0; (* K != 0 *)
   Mul 49 59;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 49; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 48; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 47; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 46; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 45; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 49; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 48; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 47; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 46; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 45; (* as src/space/polynomial.rs finds *)
   Mul 50 61;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 45; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 44; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 50; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 43; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 45; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 44; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 43; (* as src/space/polynomial.rs finds *)
   Mul 51 55;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 43; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 42; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 41; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 28; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 27; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 42; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 17; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 16; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 15; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 2; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 51; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 50; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 49; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 48; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 47; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 1; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 46; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 45; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 51; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 44; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 52; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 43; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 42; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 41; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 28; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 27; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 17; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 16; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 15; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 52; (* as src/space/polynomial.rs finds *)
   Mul 52 2;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 29; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 53 51;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 45; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 44; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 54 49;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 55; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 55 4;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 21; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 56 49;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 33; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 20; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 57 5;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Add 34 34;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Add 22 5;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Add 2 50;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 73;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 73; Add 0 7;
-  ShowZero 0; (* src/space/polynomial.rs:93 *)
+  ShowZero 0; (* as src/space/polynomial.rs finds *)
   Neg 73; Add 0 30;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 72; Add 0 10;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 78; Add 0 16;
-  ShowZero 0; (* src/space/polynomial.rs:93 *)
+  ShowZero 0; (* as src/space/polynomial.rs finds *)
   Neg 78; Add 0 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 77; Add 0 13;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 81; Add 0 66;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 80; Add 0 16;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 81; Add 0 24;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 71; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 70; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 69; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 56; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 55; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 70; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 80 69;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 81 71;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 82 57;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 59; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 46; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 97 31;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 49; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 48; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 47; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 84 0;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 85 48;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 86 50;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 87 15;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 88 14;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 103 13;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 104 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 104 11;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 106 26;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 106 25;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 6; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 108 20;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 95 17;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 96 6;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 97 6;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 112 6;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 99 11;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 114 11;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 3; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 101 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 116 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 103 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 67 104; Mul 0 88; Add 78 0; Mul 23 87; Mul 0 108; Add 2 0; Mul 22 110; Mul 0 94; Add 100 0;
   Mul 24 113; Mul 97 115; Mul 1 0; Add 3 0; Mul 27 97; Mul 0 118; Add 2 0; Mul 29 100; Mul 0 104;
   Add 2 0; Mul 103 125; Mul 32 0; Mul 0 125; Add 3 0; Mul 34 127; Mul 0 111; Add 117 0;

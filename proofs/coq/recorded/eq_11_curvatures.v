@@ -48,148 +48,114 @@ Definition part_1_size_3 : list step := [
   Add 2 0; Mul 6 23; Mul 0 44; Add 2 0; Mul 23 0; Mul 13 13; Sub 1 0;
   Nonzero 0; (* K != 0 *)
   Mul 49 59;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 49; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 48; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 47; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 46; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 45; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 49; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 48; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 47; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 46; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 45; (* as src/space/polynomial.rs finds *)
   Mul 50 61;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 45; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 44; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 50; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 43; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 45; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 44; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 43; (* as src/space/polynomial.rs finds *)
   Mul 51 55;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 43; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 42; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 41; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 28; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 27; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 42; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 17; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 16; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 15; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 2; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 51; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 50; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 49; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 48; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 47; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 1; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 46; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 45; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 51; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 44; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 52; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 43; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 42; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 41; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 28; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 27; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 17; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 16; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 15; (* as src/space/polynomial.rs finds *)
+  ShowNonzero 52; (* as src/space/polynomial.rs finds *)
   Mul 52 2;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 29; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 53 51;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 45; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 44; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 54 49;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 55; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 55 4;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 21; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 56 49;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 33; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 20; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 57 5;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Add 34 34;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Add 22 5;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Add 2 50;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 73;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 73; Add 0 7;
-  ShowZero 0; (* src/space/polynomial.rs:93 *)
+  ShowZero 0; (* as src/space/polynomial.rs finds *)
   Neg 73; Add 0 30;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 72; Add 0 10;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 78; Add 0 16;
-  ShowZero 0; (* src/space/polynomial.rs:93 *)
+  ShowZero 0; (* as src/space/polynomial.rs finds *)
   Neg 78; Add 0 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 77; Add 0 13;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 81; Add 0 66;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 80; Add 0 16;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Neg 81; Add 0 24;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 71; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 70; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 69; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 56; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 55; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 70; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 80 69;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 81 71;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 82 57;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 59; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 46; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 97 31;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 49; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 48; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 47; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 84 0;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 85 48;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 86 50;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 87 15;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 88 14;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 103 13;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 104 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 104 11;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 106 26;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 106 25;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 6; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 108 20;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 95 17;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 96 6;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 97 6;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 112 6;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 99 11;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 114 11;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 3; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 101 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 116 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 103 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 23 104; Mul 0 105; Add 94 0; Mul 25 107; Mul 0 108; Add 97 0; Mul 27 110; Mul 0 111;
   Add 100 0; Mul 28 113; Mul 0 114; Add 103 0; Mul 30 116; Mul 0 117; Add 106 0; Mul 32 119;
   Mul 0 120; Add 109 0; Mul 85 122; Mul 0 106; Add 96 0; Mul 41 105; Mul 0 126; Add 2 0;

@@ -25,7 +25,7 @@ Definition part_1_size_1 : list step := [
   Nonzero 0; (* 1 + |x'|² is not 0, as in ordered fields *)
   Mul 9 9; Mul 9 9; Add 1 0; Mul 15 15; Add 1 0; Sub 0 16;
   Zero 0; (* n·n = 1 *)
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/cmp.rs:265 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 3; Mul 0 13; Unknown 4; Unknown 5; Unknown 6; Unknown 7; Div 23 25; Add 2 1; Neg 5;
   Neg 5; Sub 4 5; Mul 0 4; Mul 3 23; Mul 3 23; Add 1 0; Add 0 3; Sub 14 0; Mul 0 36; Mul 10 25;
   Sub 1 0; Mul 0 36; Mul 36 18; Mul 36 18; Add 1 0; Mul 42 19; Add 1 0; Add 0 25; Sub 0 21;
@@ -73,7 +73,6 @@ Definition part_2_size_1 : list step := [
   Add 26 26; Sub 0 42;
   ShowZero 0; (* Σ *)
   Constant 0; Neg 0; Sub 0 1;
-  ShowZero 0; (* Σ *)
   ShowZero 0; (* Σ *)
   Sub 31 31; Mul 0 32; Sub 0 4;
   ShowZero 0; (* Σ *)

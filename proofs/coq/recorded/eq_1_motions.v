@@ -20,8 +20,8 @@ Definition part_1_size_1 : list step := [
   Zero 0; (* c² + s² = 1 *)
   Unknown 2; Unknown 3; Mul 1 1; Mul 1 1; Add 1 0; Sub 0 6;
   Zero 0; (* c² + s² = 1 *)
-  ShowZero 6; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/cmp.rs:265 *)
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/cmp.rs:265 *)
+  ShowZero 6; (* as a test finds *)
+  ShowZero 0; (* as a test finds *)
   Unknown 4; Unknown 5; Unknown 6; Unknown 7; Unknown 8; Mul 10 4; Mul 10 4; Sub 1 0; Mul 20 13;
   Mul 20 13; Sub 1 0; Mul 23 15; Mul 23 17; Add 1 0; Add 6 11; Mul 4 11; Mul 2 11; Sub 1 0;
   Add 0 3; Mul 31 15; Mul 31 15; Sub 1 0; Mul 33 18; Mul 35 18; Add 1 0; Add 3 24; Add 1 24;
@@ -74,7 +74,7 @@ Definition part_2_size_1 : list step := [
   Nonzero 0; (* 2 != 0 in the field *)
   Unknown 0; Unknown 1; Mul 1 1; Mul 1 1; Add 1 0; Constant 1; Sub 1 0;
   Zero 0; (* c² + s² = 1 *)
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/cmp.rs:265 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 2; Unknown 3; Unknown 4; Unknown 5; Unknown 6; Unknown 7; Mul 12 3; Mul 12 3; Sub 1 0;
   Mul 14 6; Mul 16 6; Add 1 0; Add 3 11; Add 1 11; Mul 20 9; Mul 20 9; Sub 1 0; Mul 22 12;
   Mul 24 12; Add 1 0; Add 3 19; Add 1 19; Sub 9 1; Sub 9 1; Mul 1 1; Mul 1 1; Add 1 0; Sub 24 22;
@@ -123,7 +123,7 @@ Definition part_3_size_1 : list step := [
   Nonzero 0; (* 2 != 0 in the field *)
   Unknown 0; Unknown 1; Mul 1 1; Mul 1 1; Add 1 0; Constant 1; Sub 1 0;
   Zero 0; (* c² + s² = 1 *)
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/cmp.rs:265 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 2; Unknown 3; Unknown 4; Neg 8; Constant 0; Mul 11 6; Mul 2 1; Sub 1 0; Mul 4 9;
   Mul 15 4; Add 1 0; Mul 10 3; Mul 10 1; Add 1 0; Mul 12 6; Mul 12 4; Add 1 0; Mul 23 3; Mul 23 1;
   Sub 1 0; Sub 10 11; Add 14 15; Mul 21 1; Mul 21 1; Add 1 0; Mul 23 4; Mul 23 4; Add 1 0;
@@ -154,7 +154,7 @@ Proof. apply accepted. vm_cast_no_check (eq_refl true). Qed.
 Definition part_4_size_4 : list step := [
   Unknown 0; Unknown 1; Mul 1 1; Mul 1 1; Add 1 0; Constant 1; Sub 1 0;
   Zero 0; (* c² + s² = 1 *)
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/cmp.rs:265 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 2; Unknown 3; Unknown 4; Unknown 5; Unknown 6; Unknown 7; Unknown 8; Unknown 9;
   Unknown 10; Unknown 11; Unknown 12; Unknown 13; Unknown 14; Unknown 15; Unknown 16; Unknown 17;
   Unknown 18; Unknown 19; Unknown 20; Unknown 21; Mul 26 17; Mul 26 17; Sub 1 0; Mul 28 20;
@@ -246,7 +246,7 @@ Proof. apply accepted. vm_cast_no_check (eq_refl true). Qed.
 Definition part_4_size_2 : list step := [
   Unknown 0; Unknown 1; Mul 1 1; Mul 1 1; Add 1 0; Constant 1; Sub 1 0;
   Zero 0; (* c² + s² = 1 *)
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/cmp.rs:265 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 2; Unknown 3; Unknown 4; Unknown 5; Unknown 6; Unknown 7; Unknown 8; Unknown 9;
   Unknown 10; Unknown 11; Unknown 12; Unknown 13; Mul 18 9; Mul 18 9; Sub 1 0; Mul 20 12;
   Mul 22 12; Add 1 0; Add 3 17; Add 1 17; Mul 26 15; Mul 26 15; Sub 1 0; Mul 28 18; Mul 30 18;
@@ -312,7 +312,7 @@ Proof. apply accepted. vm_cast_no_check (eq_refl true). Qed.
 Definition part_5_size_1 : list step := [
   Unknown 0; Unknown 1; Mul 1 1; Mul 1 1; Add 1 0; Constant 1; Sub 1 0;
   Zero 0; (* c² + s² = 1 *)
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/cmp.rs:265 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 2; Unknown 3; Unknown 4; Unknown 5; Unknown 6; Unknown 7; Unknown 8; Unknown 9;
   Unknown 10; Unknown 11; Unknown 12; Unknown 13; Unknown 14; Unknown 15; Mul 20 11; Mul 20 11;
   Sub 1 0; Mul 22 14; Mul 24 14; Add 1 0; Add 3 19; Add 1 19; Mul 28 17; Mul 28 17; Sub 1 0;
@@ -362,7 +362,7 @@ Proof. apply accepted. vm_cast_no_check (eq_refl true). Qed.
 Definition part_6_size_1 : list step := [
   Unknown 0; Unknown 1; Mul 1 1; Mul 1 1; Add 1 0; Constant 1; Sub 1 0;
   Zero 0; (* c² + s² = 1 *)
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/cmp.rs:265 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 2; Unknown 3; Unknown 4; Unknown 5; Unknown 6; Constant 0; Unknown 7; Unknown 8;
   Unknown 9; Unknown 10; Unknown 11; Unknown 12; Unknown 13; Unknown 14; Unknown 15; Unknown 16;
   Unknown 17; Unknown 18; Mul 11 12; Mul 11 13; Add 1 0; Add 0 12; Mul 15 23; Add 0 3; Add 0 15;

@@ -29,80 +29,72 @@ Definition part_1_size_1 : list step := [
   Unknown 8; Unknown 9; Unknown 10; Mul 2 38; Mul 2 38; Add 1 0; Add 0 3; Mul 6 40; Mul 6 40;
   Add 1 0; Add 0 7; Unknown 11; Unknown 12; Unknown 13; Sub 3 7; Mul 43 3; Add 3 0; Mul 2 5;
   Add 4 0; Sub 2 6; Sub 1 6; Mul 49 0; Mul 7 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 14; Mul 54 13; Add 1 0; Sub 0 2; Mul 13 0; Mul 58 8; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 60 11; Mul 60 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 33 65; Mul 33 65; Add 1 0; Add 0 34; Unknown 15; Sub 1 28; Mul 66 1; Add 24 0; Mul 2 3;
   Add 24 0; Sub 2 27; Sub 1 26; Mul 72 0; Mul 7 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 76 10; Add 23 0; Sub 0 24; Mul 12 0; Mul 80 7; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 82 10; Mul 82 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 57 80; Mul 57 80; Add 1 0; Add 0 58; Sub 0 24; Sub 38 12; Sub 51 22; Mul 1 82; Mul 1 84;
   Sub 1 0; Div 0 82; Mul 88 0; Add 28 0; Mul 8 2; Add 28 0; Sub 2 31; Sub 1 30; Mul 94 0;
   Mul 13 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 98 9; Add 28 0; Sub 0 29; Mul 18 0; Mul 102 7; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 104 10; Mul 104 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 80 25; Sub 75 17; Sub 75 16; Mul 107 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 68 13; Mul 6 0; Mul 113 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 115 8; Mul 115 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 62 93; Mul 130 113; Mul 130 115; Sub 1 0; Constant 1; Div 0 1; Mul 91 118; Mul 135 6;
   Sub 1 0; Mul 0 3; Mul 139 9; Mul 96 124; Sub 1 0; Mul 0 7; Mul 4 149; Mul 1 149; Add 1 0;
   Sub 110 0; Add 1 0; Sub 112 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 153; Mul 7 153; Add 1 0; Add 0 5; Sub 113 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 156; Mul 12 156; Add 1 0; Add 0 10; Sub 91 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 152; Mul 17 152; Add 1 0; Add 0 15; Sub 72 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 25 110; Mul 22 123; Add 1 0; Sub 124 0; Mul 29 112; Mul 26 123; Add 1 0; Add 0 3; Sub 124 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 34 93; Mul 31 103; Add 1 0; Add 0 8; Sub 104 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 39 69; Mul 36 79; Add 1 0; Add 0 13; Sub 80 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
-  ShowZero 130; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
-  ShowZero 123; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
-  ShowZero 120; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 142 159; Mul 184 172; Mul 184 174; Sub 1 0; Mul 3 0; Div 0 159; Mul 186 0; Add 144 0;
   Mul 122 2; Add 144 0; Sub 2 147; Sub 1 146; Mul 192 0; Mul 127 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 196 9; Add 143 0; Sub 0 144; Mul 132 0; Mul 200 7; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 202 10; Mul 202 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 153 7; Sub 166 17; Mul 1 197; Mul 1 199; Sub 1 0; Div 0 197; Mul 203 0; Add 23 0; Mul 123 2;
   Add 23 0; Sub 2 26; Sub 1 25; Mul 209 0; Mul 128 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 213 9; Add 23 0; Sub 0 24; Mul 133 0; Mul 217 7; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 219 10; Mul 219 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 189 16; Sub 189 15; Mul 221 0; Mul 117 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 182 12; Mul 120 0; Mul 227 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 229 8; Mul 229 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
-  ShowZero 94; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 89; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 84; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 79; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 70; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as a test finds *)
   Mul 104 43; Mul 101 53; Add 1 0; Add 0 78; Sub 54 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 109 24; Mul 106 34; Add 1 0; Add 0 83; Sub 35 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Constant 0; Sub 174 200; Sub 184 213; Mul 256 0; Mul 256 2; Sub 1 0; Mul 202 242; Mul 211 244;
   Sub 1 0; Add 3 0; Add 9 0; Sub 257 270; Sub 257 270; Sub 157 212; Sub 167 225; Mul 252 0;
   Mul 252 2; Sub 1 0; Mul 16 5; Mul 16 7; Sub 1 0; Add 3 0; Add 11 0; Constant 4; Div 143 0;

@@ -56,15 +56,15 @@ Definition part_1_size_1 : list step := [
   Sub 42 50; Sub 3 15; Mul 32 1; Mul 32 3; Sub 1 0; Div 102 0; Mul 7 5; Mul 36 5; Sub 1 0;
   Mul 0 3; Mul 40 8; Mul 12 11; Sub 1 0; Mul 0 7; Mul 4 64; Mul 1 65; Add 1 0; Sub 31 0; Add 1 0;
   Sub 33 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 52; Mul 7 52; Add 1 0; Add 0 5; Sub 32 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 68; Mul 12 68; Add 1 0; Add 0 10; Sub 31 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 112 85; Sub 84 90; Sub 83 89; Sub 109 86; Sub 108 85; Mul 80 2; Mul 80 4; Sub 1 0; Mul 4 5;
   Mul 4 7; Sub 1 0; Div 3 0; Mul 8 0; Mul 8 1; Add 94 1; Add 95 1; Div 69 15; Mul 2 2; Mul 2 2;
   Add 1 0; Mul 3 3; Sub 1 0; Mul 0 67; Mul 43 8; Mul 40 8; Add 1 0; Add 0 38; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 117 134; Sub 116 133; Mul 128 59; Mul 128 61; Sub 1 0; Add 113 0; Mul 94 4; Mul 94 6;
   Sub 1 0; Add 3 0; Sub 121 144; Sub 120 143; Sub 25 120; Sub 25 121; Mul 13 0; Mul 13 2; Sub 1 0;
   Add 7 0; Mul 76 6; Mul 76 8; Sub 1 0; Add 3 0;

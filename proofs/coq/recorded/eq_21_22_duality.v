@@ -47,20 +47,19 @@ Definition part_1_size_3 : list step := [
   Div 46 0; Mul 2 0;
   Nonzero 0; (* D(v) != 0 and D(s) != 0 *)
   Sub 84 84;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 75 75;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 75 75;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 71 71;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 71 71;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 67 67;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 67 67;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 118 81; Mul 118 81; Add 1 0; Mul 119 78; Mul 119 78; Add 1 0; Mul 114 75; Mul 114 75;
   Add 1 0; Sub 0 100; Sub 7 101; Mul 1 71; Mul 75 1; Sub 1 0; Mul 0 68; Mul 79 4; Mul 6 77;
   Sub 1 0; Mul 0 72; Mul 4 110; Mul 1 111; Add 1 0; Sub 113 0; Neg 0; Sub 18 115; Mul 14 69;
@@ -71,34 +70,34 @@ Definition part_1_size_3 : list step := [
   Sub 29 43; Sub 25 39; Sub 22 49; Sub 19 46; Sub 15 42; Mul 5 1; Mul 5 3; Sub 1 0; Div 125 0;
   Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11; Sub 1 0; Mul 0 7; Mul 4 129; Mul 1 126;
   Add 1 0; Sub 26 0; Mul 8 118; Mul 5 115; Add 1 0; Add 0 3; Sub 26 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 111 179; Mul 108 180; Add 1 0; Sub 182 0; Neg 0; Mul 18 116; Mul 15 113; Add 1 0; Add 0 13;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Sub 37 42; Mul 36 0; Mul 36 117; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 38 120; Mul 41 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 43 122; Mul 43 124; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 62 75; Sub 58 71; Sub 129 141; Sub 18 50; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 73 86; Sub 139 151; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 104 77; Sub 100 73; Sub 171 144; Sub 70 33; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 115 88; Sub 181 154; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 202 202; Mul 202 202; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 202 202; Mul 202 202; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 189 189; Mul 189 189; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Add 238 77; Mul 0 268; Mul 0 157; Sub 0 0;
   ShowZero 0; (* D(v) *)
   Mul 89 166; Mul 89 168; Sub 1 0; Mul 172 88; Mul 172 90; Sub 1 0; Add 3 0; Add 249 0; Mul 0 167;
@@ -211,78 +210,77 @@ Definition part_1_size_4 : list step := [
   Mul 7 0; Mul 7 2; Sub 1 0; Add 5 0; Mul 0 234; Mul 0 68;
   Nonzero 0; (* D(v) != 0 and D(s) != 0 *)
   Sub 196 196;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 170 170;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 170 170;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 166 166;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 166 166;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 162 162;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 162 162;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 158 158;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 158 158;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 141 205; Mul 138 206; Add 1 0; Sub 208 0; Neg 0; Mul 131 210; Mul 128 211; Add 1 0;
   Sub 213 0; Neg 0; Mul 121 215; Mul 118 216; Add 1 0; Sub 218 0; Neg 0; Sub 5 10; Sub 1 11;
   Div 163 105; Mul 2 109; Mul 112 2; Sub 1 0; Mul 0 3; Mul 116 5; Mul 7 115; Sub 1 0; Mul 0 7;
   Mul 4 167; Mul 1 164; Add 1 0; Sub 24 0; Add 1 0; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 158; Mul 7 155; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 148; Mul 12 145; Add 1 0; Add 0 10; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 141 247; Mul 138 248; Add 1 0; Sub 250 0; Neg 0; Mul 25 146; Mul 22 143; Add 1 0; Add 0 20;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 107 257; Mul 104 258; Add 1 0; Sub 260 0; Neg 0; Mul 103 262; Mul 100 263; Add 1 0;
   Sub 265 0; Neg 0; Mul 40 117; Mul 37 114; Add 1 0; Sub 8 0; Mul 44 112; Mul 41 109; Add 1 0;
   Add 0 3; Sub 8 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 108 276; Mul 105 277; Add 1 0; Sub 279 0; Neg 0; Mul 54 113; Mul 51 110; Add 1 0; Add 0 13;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 110 286; Mul 107 287; Add 1 0; Sub 289 0; Neg 0; Mul 64 115; Mul 61 112; Add 1 0; Add 0 23;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Sub 29 34; Mul 185 0; Mul 77 116; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 79 119; Mul 190 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 192 121; Mul 192 123; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 208 223; Sub 87 92; Sub 136 145; Sub 28 42; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 219 234; Sub 146 155; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 211 223; Sub 70 102; Sub 143 151; Sub 33 43; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 222 234; Sub 153 161; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 268 226; Sub 127 85; Sub 184 158; Sub 77 48; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 279 237; Sub 194 168; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 301 301; Mul 301 301; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 301 301; Mul 301 301; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 288 288; Mul 288 288; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 276 276; Mul 276 276; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Sub 235 235;
   ShowZero 0; (* D(v) *)
   Mul 253 180; Mul 253 182; Sub 1 0; Mul 186 253; Mul 186 255; Sub 1 0; Add 3 0; Add 371 0;
@@ -421,96 +419,95 @@ Definition part_1_size_5 : list step := [
   Sub 18 53; Sub 15 50; Mul 7 0; Mul 7 2; Sub 1 0; Add 5 0; Mul 0 295; Mul 0 86;
   Nonzero 0; (* D(v) != 0 and D(s) != 0 *)
   Sub 245 245;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 215 215;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 215 215;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 211 211;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 211 211;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 207 207;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 207 207;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 203 203;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 203 203;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 199 199;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 199 199;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 182 256; Mul 179 257; Add 1 0; Sub 259 0; Neg 0; Mul 172 261; Mul 169 262; Add 1 0;
   Sub 264 0; Neg 0; Mul 162 266; Mul 159 267; Add 1 0; Sub 269 0; Neg 0; Sub 5 10; Sub 1 11;
   Div 204 131; Mul 2 135; Mul 138 2; Sub 1 0; Mul 0 3; Mul 142 5; Mul 7 141; Sub 1 0; Mul 0 7;
   Mul 4 208; Mul 1 205; Add 1 0; Sub 24 0; Add 1 0; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 199; Mul 7 196; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 189; Mul 12 186; Add 1 0; Add 0 10; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 179 298; Mul 176 299; Add 1 0; Sub 301 0; Neg 0; Mul 25 184; Mul 22 181; Add 1 0; Add 0 20;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 177 308; Mul 174 309; Add 1 0; Sub 311 0; Neg 0; Mul 35 182; Mul 32 179; Add 1 0; Add 0 30;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 134 318; Mul 131 319; Add 1 0; Sub 321 0; Neg 0; Mul 130 323; Mul 127 324; Add 1 0;
   Sub 326 0; Neg 0; Mul 50 144; Mul 47 141; Add 1 0; Sub 8 0; Mul 54 139; Mul 51 136; Add 1 0;
   Add 0 3; Sub 8 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 135 337; Mul 132 338; Add 1 0; Sub 340 0; Neg 0; Mul 64 140; Mul 61 137; Add 1 0; Add 0 13;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 136 347; Mul 133 348; Add 1 0; Sub 350 0; Neg 0; Mul 74 141; Mul 71 138; Add 1 0; Add 0 23;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 138 357; Mul 135 358; Add 1 0; Sub 360 0; Neg 0; Mul 84 143; Mul 81 140; Add 1 0; Add 0 33;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Sub 39 44; Mul 231 0; Mul 97 144; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 99 147; Mul 236 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 238 149; Mul 238 151; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 269 284; Sub 107 112; Sub 173 182; Sub 38 52; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 280 295; Sub 183 192; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 269 284; Sub 90 122; Sub 179 188; Sub 43 53; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 280 295; Sub 189 198; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 272 284; Sub 95 105; Sub 186 194; Sub 48 58; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 283 295; Sub 196 204; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 344 287; Sub 162 110; Sub 236 201; Sub 102 63; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 355 298; Sub 246 211; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 377 377; Mul 377 377; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 377 377; Mul 377 377; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 364 364; Mul 364 364; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 352 352; Mul 352 352; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 340 340; Mul 340 340; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Sub 293 293;
   ShowZero 0; (* D(v) *)
   Mul 317 226; Mul 317 228; Sub 1 0; Mul 232 317; Mul 232 319; Sub 1 0; Add 3 0; Add 460 0;
@@ -674,114 +671,113 @@ Definition part_1_size_6 : list step := [
   Sub 24 68; Sub 21 65; Mul 7 0; Mul 7 2; Sub 1 0; Add 5 0; Mul 0 356; Mul 0 104;
   Nonzero 0; (* D(v) != 0 and D(s) != 0 *)
   Sub 294 294;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 260 260;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 260 260;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 256 256;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 256 256;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 252 252;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 252 252;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 248 248;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 248 248;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 244 244;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 244 244;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 240 240;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 240 240;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 223 307; Mul 220 308; Add 1 0; Sub 310 0; Neg 0; Mul 213 312; Mul 210 313; Add 1 0;
   Sub 315 0; Neg 0; Mul 203 317; Mul 200 318; Add 1 0; Sub 320 0; Neg 0; Sub 5 10; Sub 1 11;
   Div 245 157; Mul 2 161; Mul 164 2; Sub 1 0; Mul 0 3; Mul 168 5; Mul 7 167; Sub 1 0; Mul 0 7;
   Mul 4 249; Mul 1 246; Add 1 0; Sub 24 0; Add 1 0; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 240; Mul 7 237; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 230; Mul 12 227; Add 1 0; Add 0 10; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 220 349; Mul 217 350; Add 1 0; Sub 352 0; Neg 0; Mul 25 225; Mul 22 222; Add 1 0; Add 0 20;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 215 359; Mul 212 360; Add 1 0; Sub 362 0; Neg 0; Mul 35 220; Mul 32 217; Add 1 0; Add 0 30;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 213 369; Mul 210 370; Add 1 0; Sub 372 0; Neg 0; Mul 45 218; Mul 42 215; Add 1 0; Add 0 40;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 161 379; Mul 158 380; Add 1 0; Sub 382 0; Neg 0; Mul 157 384; Mul 154 385; Add 1 0;
   Sub 387 0; Neg 0; Mul 60 171; Mul 57 168; Add 1 0; Sub 8 0; Mul 64 166; Mul 61 163; Add 1 0;
   Add 0 3; Sub 8 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 162 398; Mul 159 399; Add 1 0; Sub 401 0; Neg 0; Mul 74 167; Mul 71 164; Add 1 0; Add 0 13;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 163 408; Mul 160 409; Add 1 0; Sub 411 0; Neg 0; Mul 84 168; Mul 81 165; Add 1 0; Add 0 23;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 164 418; Mul 161 419; Add 1 0; Sub 421 0; Neg 0; Mul 94 169; Mul 91 166; Add 1 0; Add 0 33;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 166 428; Mul 163 429; Add 1 0; Sub 431 0; Neg 0; Mul 104 171; Mul 101 168; Add 1 0;
   Add 0 43; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Sub 49 54; Mul 277 0; Mul 117 172; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 119 175; Mul 282 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 284 177; Mul 284 179; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 330 345; Sub 127 132; Sub 210 219; Sub 48 62; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 341 356; Sub 220 229; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 330 345; Sub 110 142; Sub 216 225; Sub 53 63; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 341 356; Sub 226 235; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 330 345; Sub 115 125; Sub 222 231; Sub 58 68; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 341 356; Sub 232 241; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 333 345; Sub 120 130; Sub 229 237; Sub 63 73; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 344 356; Sub 239 247; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 420 348; Sub 197 135; Sub 288 244; Sub 127 78; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 431 359; Sub 298 254; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 453 453; Mul 453 453; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 453 453; Mul 453 453; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 440 440; Mul 440 440; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 428 428; Mul 428 428; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 416 416; Mul 416 416; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 404 404; Mul 404 404; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Sub 351 351;
   ShowZero 0; (* D(v) *)
   Mul 381 272; Mul 381 274; Sub 1 0; Mul 278 381; Mul 278 383; Sub 1 0; Add 3 0; Add 549 0;
@@ -971,132 +967,131 @@ Definition part_1_size_7 : list step := [
   Sub 27 80; Mul 7 0; Mul 7 2; Sub 1 0; Add 5 0; Mul 0 417; Mul 0 122;
   Nonzero 0; (* D(v) != 0 and D(s) != 0 *)
   Sub 343 343;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 305 305;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 305 305;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 301 301;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 301 301;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 297 297;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 297 297;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 293 293;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 293 293;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 289 289;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 289 289;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 285 285;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 285 285;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 281 281;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 281 281;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 264 358; Mul 261 359; Add 1 0; Sub 361 0; Neg 0; Mul 254 363; Mul 251 364; Add 1 0;
   Sub 366 0; Neg 0; Mul 244 368; Mul 241 369; Add 1 0; Sub 371 0; Neg 0; Sub 5 10; Sub 1 11;
   Div 286 183; Mul 2 187; Mul 190 2; Sub 1 0; Mul 0 3; Mul 194 5; Mul 7 193; Sub 1 0; Mul 0 7;
   Mul 4 290; Mul 1 287; Add 1 0; Sub 24 0; Add 1 0; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 281; Mul 7 278; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 271; Mul 12 268; Add 1 0; Add 0 10; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 261 400; Mul 258 401; Add 1 0; Sub 403 0; Neg 0; Mul 25 266; Mul 22 263; Add 1 0; Add 0 20;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 256 410; Mul 253 411; Add 1 0; Sub 413 0; Neg 0; Mul 35 261; Mul 32 258; Add 1 0; Add 0 30;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 251 420; Mul 248 421; Add 1 0; Sub 423 0; Neg 0; Mul 45 256; Mul 42 253; Add 1 0; Add 0 40;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 249 430; Mul 246 431; Add 1 0; Sub 433 0; Neg 0; Mul 55 254; Mul 52 251; Add 1 0; Add 0 50;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 188 440; Mul 185 441; Add 1 0; Sub 443 0; Neg 0; Mul 184 445; Mul 181 446; Add 1 0;
   Sub 448 0; Neg 0; Mul 70 198; Mul 67 195; Add 1 0; Sub 8 0; Mul 74 193; Mul 71 190; Add 1 0;
   Add 0 3; Sub 8 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 189 459; Mul 186 460; Add 1 0; Sub 462 0; Neg 0; Mul 84 194; Mul 81 191; Add 1 0; Add 0 13;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 190 469; Mul 187 470; Add 1 0; Sub 472 0; Neg 0; Mul 94 195; Mul 91 192; Add 1 0; Add 0 23;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 191 479; Mul 188 480; Add 1 0; Sub 482 0; Neg 0; Mul 104 196; Mul 101 193; Add 1 0;
   Add 0 33; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 192 489; Mul 189 490; Add 1 0; Sub 492 0; Neg 0; Mul 114 197; Mul 111 194; Add 1 0;
   Add 0 43; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 194 499; Mul 191 500; Add 1 0; Sub 502 0; Neg 0; Mul 124 199; Mul 121 196; Add 1 0;
   Add 0 53; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Sub 59 64; Mul 323 0; Mul 137 200; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 139 203; Mul 328 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 330 205; Mul 330 207; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 391 406; Sub 147 152; Sub 247 256; Sub 58 72; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 402 417; Sub 257 266; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 391 406; Sub 130 162; Sub 253 262; Sub 63 73; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 402 417; Sub 263 272; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 391 406; Sub 135 145; Sub 259 268; Sub 68 78; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 402 417; Sub 269 278; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 391 406; Sub 140 150; Sub 265 274; Sub 73 83; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 402 417; Sub 275 284; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 394 406; Sub 145 155; Sub 272 280; Sub 78 88; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 405 417; Sub 282 290; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 496 409; Sub 232 160; Sub 340 287; Sub 152 93; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 507 420; Sub 350 297; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 529 529; Mul 529 529; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 529 529; Mul 529 529; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 516 516; Mul 516 516; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 504 504; Mul 504 504; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 492 492; Mul 492 492; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 480 480; Mul 480 480; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 468 468; Mul 468 468; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Sub 409 409;
   ShowZero 0; (* D(v) *)
   Mul 445 318; Mul 445 320; Sub 1 0; Mul 324 445; Mul 324 447; Sub 1 0; Add 3 0; Add 638 0;
@@ -1312,150 +1307,149 @@ Definition part_1_size_8 : list step := [
   Sub 33 95; Mul 7 0; Mul 7 2; Sub 1 0; Add 5 0; Mul 0 478; Mul 0 140;
   Nonzero 0; (* D(v) != 0 and D(s) != 0 *)
   Sub 392 392;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 350 350;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 350 350;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 346 346;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 346 346;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 342 342;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 342 342;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 338 338;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 338 338;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 334 334;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 334 334;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 330 330;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 330 330;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 326 326;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 326 326;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 322 322;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 322 322;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 305 409; Mul 302 410; Add 1 0; Sub 412 0; Neg 0; Mul 295 414; Mul 292 415; Add 1 0;
   Sub 417 0; Neg 0; Mul 285 419; Mul 282 420; Add 1 0; Sub 422 0; Neg 0; Sub 5 10; Sub 1 11;
   Div 327 209; Mul 2 213; Mul 216 2; Sub 1 0; Mul 0 3; Mul 220 5; Mul 7 219; Sub 1 0; Mul 0 7;
   Mul 4 331; Mul 1 328; Add 1 0; Sub 24 0; Add 1 0; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 322; Mul 7 319; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 312; Mul 12 309; Add 1 0; Add 0 10; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 302 451; Mul 299 452; Add 1 0; Sub 454 0; Neg 0; Mul 25 307; Mul 22 304; Add 1 0; Add 0 20;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 297 461; Mul 294 462; Add 1 0; Sub 464 0; Neg 0; Mul 35 302; Mul 32 299; Add 1 0; Add 0 30;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 292 471; Mul 289 472; Add 1 0; Sub 474 0; Neg 0; Mul 45 297; Mul 42 294; Add 1 0; Add 0 40;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 287 481; Mul 284 482; Add 1 0; Sub 484 0; Neg 0; Mul 55 292; Mul 52 289; Add 1 0; Add 0 50;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 285 491; Mul 282 492; Add 1 0; Sub 494 0; Neg 0; Mul 65 290; Mul 62 287; Add 1 0; Add 0 60;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 215 501; Mul 212 502; Add 1 0; Sub 504 0; Neg 0; Mul 211 506; Mul 208 507; Add 1 0;
   Sub 509 0; Neg 0; Mul 80 225; Mul 77 222; Add 1 0; Sub 8 0; Mul 84 220; Mul 81 217; Add 1 0;
   Add 0 3; Sub 8 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 216 520; Mul 213 521; Add 1 0; Sub 523 0; Neg 0; Mul 94 221; Mul 91 218; Add 1 0; Add 0 13;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 217 530; Mul 214 531; Add 1 0; Sub 533 0; Neg 0; Mul 104 222; Mul 101 219; Add 1 0;
   Add 0 23; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 218 540; Mul 215 541; Add 1 0; Sub 543 0; Neg 0; Mul 114 223; Mul 111 220; Add 1 0;
   Add 0 33; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 219 550; Mul 216 551; Add 1 0; Sub 553 0; Neg 0; Mul 124 224; Mul 121 221; Add 1 0;
   Add 0 43; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 220 560; Mul 217 561; Add 1 0; Sub 563 0; Neg 0; Mul 134 225; Mul 131 222; Add 1 0;
   Add 0 53; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 222 570; Mul 219 571; Add 1 0; Sub 573 0; Neg 0; Mul 144 227; Mul 141 224; Add 1 0;
   Add 0 63; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Sub 69 74; Mul 369 0; Mul 157 228; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 159 231; Mul 374 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 376 233; Mul 376 235; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 452 467; Sub 167 172; Sub 284 293; Sub 68 82; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 463 478; Sub 294 303; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 452 467; Sub 150 182; Sub 290 299; Sub 73 83; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 463 478; Sub 300 309; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 452 467; Sub 155 165; Sub 296 305; Sub 78 88; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 463 478; Sub 306 315; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 452 467; Sub 160 170; Sub 302 311; Sub 83 93; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 463 478; Sub 312 321; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 452 467; Sub 165 175; Sub 308 317; Sub 88 98; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 463 478; Sub 318 327; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 455 467; Sub 170 180; Sub 315 323; Sub 93 103; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 466 478; Sub 325 333; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 572 470; Sub 267 185; Sub 392 330; Sub 177 108; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 583 481; Sub 402 340; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 605 605; Mul 605 605; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 605 605; Mul 605 605; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 592 592; Mul 592 592; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 580 580; Mul 580 580; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 568 568; Mul 568 568; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 556 556; Mul 556 556; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 544 544; Mul 544 544; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Mul 532 532; Mul 532 532; Add 1 0;
-  ShowNonzero 0; (* src/pair/edge.rs:82 *)
+  ShowNonzero 0; (* as src/pair/edge.rs finds *)
   Sub 467 467;
   ShowZero 0; (* D(v) *)
   Mul 509 364; Mul 509 366; Sub 1 0; Mul 370 509; Mul 370 511; Sub 1 0; Add 3 0; Add 727 0;

@@ -46,21 +46,21 @@ Definition part_1_size_3 : list step := [
   Mul 0 113; Constant 4; Div 82 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 116 116;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 116 116;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 116 116;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 116 116;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 116 116;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 116 116;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 106 106;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 106 106;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Div 92 109; Sub 44 25; Sub 41 22; Mul 121 0; Mul 121 2; Sub 1 0; Mul 0 5; Sub 131 127;
   Sub 131 127; Sub 131 129; Sub 131 129; Mul 3 1; Mul 3 1; Add 1 0; Mul 6 3; Mul 6 5; Sub 1 0;
   Div 3 0; Sub 140 126; Sub 140 126; Sub 144 128; Sub 144 128; Mul 3 1; Mul 3 1; Add 1 0; Mul 6 3;
@@ -132,21 +132,19 @@ Definition part_2_size_3 : list step := [
   Mul 10 10; Mul 10 10; Add 1 0;
   Nonzero 0; (* no edge of the star has length 0 *)
   Sub 45 45;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 42 42;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 42 42;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 39 39;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 39 39;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 20 20;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 20 20;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* the lift *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   ShowZero 6; (* the lift *)
   Constant 1; Mul 53 53; Add 0 0; Mul 2 0; Div 3 69; Mul 1 0; Add 3 58; Add 1 0; Sub 0 60;
   ShowZero 0; (* the lift *)
@@ -264,25 +262,23 @@ Definition part_2_size_4 : list step := [
   Mul 7 2; Sub 1 0; Add 5 0; Mul 0 175; Constant 4; Div 103 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 166 166;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 163 163;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 163 163;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 160 160;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 160 160;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 143 143;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 143 143;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 128 128;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 128 128;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* the lift *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   ShowZero 8; (* the lift *)
   Sub 107 175;
   ShowZero 0; (* the lift *)
@@ -419,29 +415,27 @@ Definition part_2_size_5 : list step := [
   Add 5 0; Mul 0 220; Constant 4; Div 129 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 211 211;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 208 208;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 208 208;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 205 205;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 205 205;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 186 186;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 186 186;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 171 171;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 171 171;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 156 156;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 156 156;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 10; (* the lift *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   ShowZero 10; (* the lift *)
   Sub 135 222;
   ShowZero 0; (* the lift *)
@@ -604,33 +598,31 @@ Definition part_2_size_6 : list step := [
   Add 5 0; Mul 0 265; Constant 4; Div 155 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 256 256;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 253 253;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 253 253;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 250 250;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 250 250;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 231 231;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 231 231;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 214 214;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 214 214;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 199 199;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 199 199;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 184 184;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 184 184;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 12; (* the lift *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   ShowZero 12; (* the lift *)
   Sub 163 269;
   ShowZero 0; (* the lift *)
@@ -818,37 +810,35 @@ Definition part_2_size_7 : list step := [
   Add 5 0; Mul 0 310; Constant 4; Div 181 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 301 301;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 298 298;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 298 298;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 295 295;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 295 295;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 276 276;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 276 276;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 259 259;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 259 259;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 242 242;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 242 242;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 227 227;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 227 227;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 212 212;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 212 212;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 14; (* the lift *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   ShowZero 14; (* the lift *)
   Sub 191 316;
   ShowZero 0; (* the lift *)
@@ -1062,41 +1052,39 @@ Definition part_2_size_8 : list step := [
   Mul 7 0; Mul 7 2; Sub 1 0; Add 5 0; Mul 0 355; Constant 4; Div 207 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 346 346;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 343 343;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 343 343;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 340 340;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 340 340;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 321 321;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 321 321;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 304 304;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 304 304;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 287 287;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 287 287;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 270 270;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 270 270;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 255 255;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 255 255;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 240 240;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 240 240;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 16; (* the lift *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   ShowZero 16; (* the lift *)
   Sub 219 363;
   ShowZero 0; (* the lift *)

@@ -29,31 +29,21 @@ Definition part_1_size_2 : list step := [
   Unknown 4;
   Nonzero 0; (* a coefficient is not 0; those with 0 are limits *)
   Constant 1; Mul 0 4;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 1 3;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 8 3;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 3 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 10 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 3; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 5 2;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 6 4;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 7 2;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 7; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 6; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 5; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 4; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 3; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 6; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 2; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 1; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Unknown 5; Unknown 6; Constant 0; Mul 10 11; Mul 0 12; Add 2 0; Mul 12 14; Mul 15 5; Mul 1 0;
   Add 3 0; Mul 18 9; Mul 16 0; Mul 0 20; Add 3 0; Mul 18 22; Mul 0 23; Add 13 0; Mul 20 25;
   Mul 0 10; Add 2 0; Mul 26 9; Mul 0 29; Add 2 0; Mul 9 9; Mul 1 1; Add 1 0; Mul 34 0; Div 35 41;

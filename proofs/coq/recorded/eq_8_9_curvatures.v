@@ -28,22 +28,21 @@ Definition part_1_size_2 : list step := [
   Unknown 4;
   Nonzero 0; (* a coefficient is not 0; those with 0 are limits *)
   Constant 1; Mul 0 4;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 1 3;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 8 3;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 3 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 10 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 3; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 5 2;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 6 4;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 7 2;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Unknown 5; Unknown 6; Unknown 7; Constant 0; Mul 3 12; Mul 0 13; Add 2 0; Mul 20 15; Mul 16 5;
   Mul 1 0; Add 3 0; Mul 22 19; Mul 3 9; Mul 1 0; Add 3 0; Mul 23 13; Mul 28 0; Mul 0 25; Add 3 0;
   Mul 29 3; Mul 0 11; Add 2 0; Mul 6 20; Mul 32 0; Mul 0 32; Add 3 0; Sub 0 0;
@@ -119,45 +118,43 @@ Definition part_1_size_3 : list step := [
   Unknown 8;
   Nonzero 0; (* a coefficient is not 0; those with 0 are limits *)
   Constant 1; Mul 0 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 1 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 2 5;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 14 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 15 6;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 15 6;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 6 15;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 18 14;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 18 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 7; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 20 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 10 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 11 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 12 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 24 7;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 14 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 26 12;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
-  ShowNonzero 3; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 16 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 28 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Mul 18 8;
-  ShowNonzero 0; (* src/space/polynomial.rs:93 *)
+  ShowNonzero 0; (* as src/space/polynomial.rs finds *)
   Unknown 9; Unknown 10; Unknown 11; Constant 0; Mul 3 23; Mul 0 24; Add 2 0; Mul 35 26; Mul 27 5;
   Mul 1 0; Add 3 0; Mul 37 30; Mul 3 9; Mul 1 0; Add 3 0; Mul 38 34; Mul 3 13; Mul 1 0; Add 3 0;
   Mul 38 17; Mul 47 0; Mul 0 40; Add 3 0; Mul 48 3; Mul 0 15; Add 2 0; Mul 48 6; Mul 0 14;

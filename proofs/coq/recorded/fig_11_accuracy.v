@@ -22,33 +22,33 @@ Definition part_1_size_1 : list step := [
   Unknown 0; Unknown 1; Unknown 2; Unknown 3; Mul 3 0; Mul 3 2; Sub 1 0;
   Nonzero 0; (* the lattice vectors are not parallel *)
   Unknown 4; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 5; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 3 10; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 3 11; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 14 12; Add 8 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 16 14; Add 9 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 13 18; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 13 19; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Neg 24; Add 18 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Neg 26; Add 19 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Neg 15; Add 24 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Neg 15; Add 25 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Neg 34; Add 30 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Neg 36; Add 31 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 6; Unknown 7; Unknown 8; Unknown 9; Unknown 10; Unknown 11; Constant 0; Constant 1;
   Mul 7 0; Mul 0 1; Add 3 0; Mul 9 3; Mul 4 45; Mul 1 0; Add 3 0; Mul 12 7; Mul 3 49; Mul 1 0;
   Add 3 0; Mul 11 54; Mul 16 0; Mul 0 13; Add 3 0; Mul 18 3; Mul 0 11; Add 2 0; Mul 6 61;
@@ -117,40 +117,19 @@ Definition part_2_size_1 : list step := [
   Unknown 0;
   Nonzero 0; (* the mesh size is not 0 *)
   Constant 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant 1; Mul 0 3; Add 3 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 5 6; Add 6 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant (-1); Mul 0 10; Add 10 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 11; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 11; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 10 10; Add 13 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 15 13; Add 16 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 9 16; Add 19 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 1; Unknown 2; Unknown 3; Unknown 4; Unknown 5; Unknown 6; Unknown 7; Unknown 8;
   Unknown 9; Unknown 10; Unknown 11; Unknown 12; Unknown 13; Unknown 14; Unknown 15; Mul 14 34;
   Mul 0 35; Add 38 0; Mul 16 37; Mul 38 40; Mul 1 0; Add 3 0; Mul 19 41; Mul 3 44; Mul 1 0;
@@ -272,23 +251,21 @@ Definition part_3_size_4 : list step := [
   Unknown 0;
   Nonzero 0; (* the mesh size is not 0 *)
   Unknown 1; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 2; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant 1; Mul 0 5; Add 5 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant 0; Mul 0 9; Add 7 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 11 2; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 11 8; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant (-1); Mul 0 17; Add 17 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 17 2; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 3; Unknown 4; Unknown 5; Unknown 6; Unknown 7; Unknown 8; Mul 5 23; Mul 0 24; Add 21 0;
   Mul 7 26; Mul 27 29; Mul 1 0; Add 3 0; Mul 10 30; Mul 3 33; Mul 1 0; Add 3 0; Mul 34 38;
   Mul 14 0; Mul 0 36; Add 3 0; Mul 16 3; Mul 0 11; Add 2 0; Mul 6 45; Mul 19 0; Mul 0 43; Add 3 0;
@@ -337,31 +314,21 @@ Definition part_3_size_8 : list step := [
   Unknown 0;
   Nonzero 0; (* the mesh size is not 0 *)
   Unknown 1; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 2; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant 1; Mul 0 5; Add 5 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant 0; Mul 0 9; Add 7 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 9 6; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 13 4; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant (-1); Mul 0 17; Add 17 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Add 17 2; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 14; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 3; Unknown 4; Unknown 5; Unknown 6; Unknown 7; Unknown 8; Mul 5 23; Mul 0 24; Add 21 0;
   Mul 7 26; Mul 27 29; Mul 1 0; Add 3 0; Mul 10 30; Mul 3 33; Mul 1 0; Add 3 0; Mul 34 38;
   Mul 14 0; Mul 0 36; Add 3 0; Mul 16 3; Mul 0 11; Add 2 0; Mul 6 45; Mul 19 0; Mul 0 43; Add 3 0;
@@ -440,23 +407,17 @@ Definition part_4_size_1 : list step := [
   Unknown 0;
   Nonzero 0; (* the mesh size is not 0 *)
   Constant 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 6 2; Add 2 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 4 5; Add 5 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant 1; Mul 0 9; Add 9 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant (-1); Mul 0 13; Add 13 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant (-2); Mul 0 17; Add 17 0; Sub 0 0;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 19 19; Mul 17 17; Mul 11 11; Mul 8 8; Mul 5 5; Add 4 4; Mul 17 0; Div 18 31; Mul 1 0;
   Add 3 28; Add 1 0; Mul 24 24; Add 10 0; Mul 24 0; Mul 0 6; Mul 34 31; Mul 35 29; Add 1 0;
   Add 0 37; Add 4 0; Add 17 17; Mul 32 0; Mul 0 14; Mul 42 32; Add 0 0; Add 0 44; Add 3 0;

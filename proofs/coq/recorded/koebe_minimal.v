@@ -46,65 +46,61 @@ Definition part_1_size_4 : list step := [
   Add 11 1; Add 8 2; Add 5 3; Div 36 17; Div 37 14; Div 38 11; Div 39 8; Constant 0; Sub 7 8;
   Mul 5 4; Mul 1 0; Add 3 0; Sub 10 11; Mul 8 7; Neg 0; Mul 2 0; Add 4 0; Sub 14 15; Mul 12 11;
   Mul 1 0; Add 3 0; Sub 21 18; Mul 15 18; Neg 0; Mul 2 0; Add 4 0; Sub 0 18;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Add 62 63; Mul 0 45; Add 65 59; Mul 0 43; Add 61 56; Mul 0 41; Add 58 68; Mul 0 39; Unknown 5;
   Add 7 0; Add 6 1; Add 5 2; Add 4 3; Sub 2 3; Mul 0 31; Add 34 0; Sub 4 5; Mul 0 29; Add 2 0;
   Sub 6 7; Mul 0 28; Add 2 0; Sub 12 9; Mul 0 26; Add 2 0; Sub 0 44;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 53 53; Mul 17 17; Add 1 0; Mul 70 70; Sub 1 0; Div 91 95; Mul 1 0; Mul 59 59; Mul 23 23;
   Add 1 0; Mul 73 73; Sub 1 0; Mul 0 6; Mul 64 64; Mul 28 28; Add 1 0; Mul 75 75; Sub 1 0;
   Mul 0 12; Mul 69 69; Mul 33 33; Add 1 0; Mul 77 77; Sub 1 0; Mul 0 18; Sub 12 18; Mul 0 69;
   Add 72 0; Sub 9 15; Mul 0 67; Add 2 0; Sub 6 12; Mul 0 66; Add 2 0; Sub 27 9; Mul 0 64; Add 2 0;
   Sub 0 82;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 79 79;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 49 49;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 12 12;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 77 77;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 49 49;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 12 12;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 89 72; Sub 77 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 91 48; Sub 51 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 93 12; Sub 15 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 5 78; Sub 0 96;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 5 54; Sub 0 98;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 5 18; Sub 0 100;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 97 101; Sub 67 102; Sub 109 111; Sub 73 75; Sub 96 105; Sub 68 106; Mul 106 0; Mul 75 2;
   Sub 1 0; Add 110 0; Mul 9 6; Mul 9 8; Sub 1 0; Add 3 0; Sub 120 123; Sub 84 87; Sub 27 117;
   Sub 26 118; Mul 15 0; Mul 15 2; Sub 1 0; Add 7 0; Mul 17 6; Mul 17 8; Sub 1 0; Add 3 0;
-  ShowZero 0; (* src/construct/christoffel/mod.rs:85 *)
+  ShowZero 0; (* as src/construct/christoffel/mod.rs finds *)
   Sub 54 127; Sub 52 128; Mul 27 22; Mul 27 24; Sub 1 0; Div 173 0; Mul 5 26; Mul 31 5; Sub 1 0;
   Mul 0 3; Mul 35 8; Mul 10 32; Sub 1 0; Mul 0 7; Mul 4 141; Mul 1 142; Add 1 0; Sub 144 0;
   Add 1 0; Sub 146 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 143; Mul 7 113; Add 1 0; Add 0 5; Sub 78 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 143; Mul 12 115; Add 1 0; Add 0 10; Sub 80 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 67; Mul 17 66; Add 1 0; Add 0 15; Sub 67 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 15; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 10; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 5; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 25 170; Mul 22 134; Add 1 0; Sub 113 0; Mul 29 173; Mul 26 137; Add 1 0; Add 0 3; Sub 112 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 34 177; Mul 31 141; Add 1 0; Add 0 8; Sub 111 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 39 181; Mul 36 145; Add 1 0; Add 0 13; Sub 110 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 189 180; Mul 153 149; Add 1 0; Mul 113 225; Sub 1 0; Mul 134 227; Sub 139 0; Sub 0 1;
   Mul 3 3; Mul 189 189; Mul 158 158; Add 1 0; Mul 0 4; Sub 4 0;
   ShowZero 0; (* touches Σ *)
@@ -185,13 +181,13 @@ Definition part_1_size_6 : list step := [
   Mul 2 0; Add 4 0; Sub 18 19; Mul 14 13; Mul 1 0; Add 3 0; Sub 21 22; Mul 17 16; Neg 0; Mul 2 0;
   Add 4 0; Sub 25 26; Mul 21 20; Mul 1 0; Add 3 0; Sub 34 29; Mul 24 29; Neg 0; Mul 2 0; Add 4 0;
   Sub 0 27;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Add 91 92; Mul 0 66; Add 94 88; Mul 0 64; Add 90 85; Mul 0 62; Add 87 82; Mul 0 60; Add 84 80;
   Mul 0 58; Add 82 101; Mul 0 56; Unknown 7; Add 11 0; Add 10 1; Add 9 2; Add 8 3; Add 7 4;
   Add 6 5; Sub 4 5; Mul 0 46; Add 49 0; Sub 6 7; Mul 0 44; Add 2 0; Sub 8 9; Mul 0 43; Add 2 0;
   Sub 10 11; Mul 0 41; Add 2 0; Sub 12 13; Mul 0 40; Add 2 0; Sub 20 15; Mul 0 38; Add 2 0;
   Sub 0 65;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 78 78; Mul 25 25; Add 1 0; Mul 103 103; Sub 1 0; Div 132 136; Mul 1 0; Mul 84 84; Mul 31 31;
   Add 1 0; Mul 106 106; Sub 1 0; Mul 0 6; Mul 89 89; Mul 36 36; Add 1 0; Mul 108 108; Sub 1 0;
   Mul 0 12; Mul 94 94; Mul 41 41; Add 1 0; Mul 110 110; Sub 1 0; Mul 0 18; Mul 99 99; Mul 46 46;
@@ -199,80 +195,74 @@ Definition part_1_size_6 : list step := [
   Mul 0 30; Sub 24 30; Mul 0 102; Add 105 0; Sub 21 27; Mul 0 100; Add 2 0; Sub 18 24; Mul 0 99;
   Add 2 0; Sub 15 21; Mul 0 97; Add 2 0; Sub 12 18; Mul 0 96; Add 2 0; Sub 45 15; Mul 0 94;
   Add 2 0; Sub 0 121;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 118 118;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 73 73;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 18 18;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 116 116;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 73 73;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 18 18;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 115 115;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 73 73;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 18 18;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 131 105; Sub 0 111; Sub 115 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 134 70; Sub 0 74; Sub 77 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 137 17; Sub 0 21; Sub 24 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 7 119; Sub 0 9;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 6 81; Sub 0 8;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 5 27; Sub 0 7;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 14 120; Sub 0 147;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 13 84; Sub 0 149;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 12 30; Sub 0 151;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 148 152; Sub 103 153; Sub 164 166; Sub 111 113; Sub 147 156; Sub 104 157; Mul 157 0;
   Mul 111 2; Sub 1 0; Add 161 0; Mul 9 6; Mul 9 8; Sub 1 0; Add 3 0; Sub 175 178; Sub 122 125;
   Sub 155 168; Sub 113 169; Mul 15 0; Mul 15 2; Sub 1 0; Add 7 0; Mul 17 6; Mul 17 8; Sub 1 0;
   Add 3 0; Sub 186 190; Sub 133 137; Sub 47 180; Sub 45 181; Mul 15 0; Mul 15 2; Sub 1 0; Add 7 0;
   Mul 17 6; Mul 17 8; Sub 1 0; Add 3 0; Sub 197 202; Sub 144 149; Sub 60 192; Sub 58 193;
   Mul 15 0; Mul 15 2; Sub 1 0; Add 7 0; Mul 17 6; Mul 17 8; Sub 1 0; Add 3 0;
-  ShowZero 0; (* src/construct/christoffel/mod.rs:85 *)
+  ShowZero 0; (* as src/construct/christoffel/mod.rs finds *)
   Sub 96 202; Sub 94 203; Mul 51 46; Mul 51 48; Sub 1 0; Div 268 0; Mul 5 50; Mul 55 5; Sub 1 0;
   Mul 0 3; Mul 59 8; Mul 10 56; Sub 1 0; Mul 0 7; Mul 4 216; Mul 1 217; Add 1 0; Sub 219 0;
   Add 1 0; Sub 221 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 218; Mul 7 173; Add 1 0; Add 0 5; Sub 120 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 218; Mul 12 175; Add 1 0; Add 0 10; Sub 122 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 219; Mul 17 177; Add 1 0; Add 0 15; Sub 124 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 25 104; Mul 22 102; Add 1 0; Add 0 20; Sub 102 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 30 110; Mul 27 108; Add 1 0; Add 0 25; Sub 108 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 25; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 20; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 15; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 10; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 5; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 35 259; Mul 32 206; Add 1 0; Sub 177 0; Mul 39 262; Mul 36 209; Add 1 0; Add 0 3; Sub 176 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 44 266; Mul 41 213; Add 1 0; Add 0 8; Sub 175 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 49 270; Mul 46 217; Add 1 0; Add 0 13; Sub 174 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 54 274; Mul 51 221; Add 1 0; Add 0 18; Sub 173 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 59 278; Mul 56 225; Add 1 0; Add 0 23; Sub 172 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 288 275; Mul 235 229; Add 1 0; Mul 175 340; Sub 1 0; Mul 208 342; Sub 213 0; Sub 0 1;
   Mul 3 3; Mul 284 284; Mul 238 238; Add 1 0; Mul 0 4; Sub 4 0;
   ShowZero 0; (* touches Σ *)
@@ -377,14 +367,14 @@ Definition part_1_size_8 : list step := [
   Sub 25 26; Mul 19 18; Neg 0; Mul 2 0; Add 4 0; Sub 29 30; Mul 23 22; Mul 1 0; Add 3 0;
   Sub 32 33; Mul 26 25; Neg 0; Mul 2 0; Add 4 0; Sub 36 37; Mul 30 29; Mul 1 0; Add 3 0;
   Sub 47 40; Mul 33 40; Neg 0; Mul 2 0; Add 4 0; Sub 0 36;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Add 120 121; Mul 0 87; Add 123 117; Mul 0 85; Add 119 114; Mul 0 83; Add 116 111; Mul 0 81;
   Add 113 109; Mul 0 79; Add 111 107; Mul 0 77; Add 109 105; Mul 0 75; Add 107 134; Mul 0 73;
   Unknown 9; Add 15 0; Add 14 1; Add 13 2; Add 12 3; Add 11 4; Add 10 5; Add 9 6; Add 8 7;
   Sub 6 7; Mul 0 61; Add 64 0; Sub 8 9; Mul 0 59; Add 2 0; Sub 10 11; Mul 0 58; Add 2 0;
   Sub 12 13; Mul 0 56; Add 2 0; Sub 14 15; Mul 0 55; Add 2 0; Sub 16 17; Mul 0 53; Add 2 0;
   Sub 18 19; Mul 0 52; Add 2 0; Sub 28 21; Mul 0 50; Add 2 0; Sub 0 86;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 103 103; Mul 33 33; Add 1 0; Mul 136 136; Sub 1 0; Div 173 177; Mul 1 0; Mul 109 109;
   Mul 39 39; Add 1 0; Mul 139 139; Sub 1 0; Mul 0 6; Mul 114 114; Mul 44 44; Add 1 0; Mul 141 141;
   Sub 1 0; Mul 0 12; Mul 119 119; Mul 49 49; Add 1 0; Mul 143 143; Sub 1 0; Mul 0 18; Mul 124 124;
@@ -394,55 +384,55 @@ Definition part_1_size_8 : list step := [
   Add 138 0; Sub 33 39; Mul 0 133; Add 2 0; Sub 30 36; Mul 0 132; Add 2 0; Sub 27 33; Mul 0 130;
   Add 2 0; Sub 24 30; Mul 0 129; Add 2 0; Sub 21 27; Mul 0 127; Add 2 0; Sub 18 24; Mul 0 126;
   Add 2 0; Sub 63 21; Mul 0 124; Add 2 0; Sub 0 160;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 157 157;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 97 97;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 24 24;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 155 155;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 97 97;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 24 24;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 154 154;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 97 97;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 24 24;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 152 152;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 97 97;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 24 24;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 173 138; Sub 0 144; Sub 0 149; Sub 154 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 177 92; Sub 0 96; Sub 0 100; Sub 103 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 181 22; Sub 0 26; Sub 0 30; Sub 33 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 9 159; Sub 0 11;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 7 108; Sub 0 9;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 5 36; Sub 0 7;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 16 161; Sub 0 18;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 14 111; Sub 0 16;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 12 39; Sub 0 14;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 23 162; Sub 0 198;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 21 114; Sub 0 200;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 19 42; Sub 0 202;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 199 203; Sub 139 204; Sub 219 221; Sub 149 151; Sub 198 207; Sub 140 208; Mul 208 0;
   Mul 147 2; Sub 1 0; Add 212 0; Mul 9 6; Mul 9 8; Sub 1 0; Add 3 0; Sub 230 233; Sub 160 163;
   Sub 206 219; Sub 149 220; Mul 15 0; Mul 15 2; Sub 1 0; Add 7 0; Mul 17 6; Mul 17 8; Sub 1 0;
@@ -452,47 +442,39 @@ Definition part_1_size_8 : list step := [
   Sub 193 199; Sub 80 255; Sub 77 256; Mul 15 0; Mul 15 2; Sub 1 0; Add 7 0; Mul 17 6; Mul 17 8;
   Sub 1 0; Add 3 0; Sub 274 281; Sub 204 211; Sub 93 267; Sub 90 268; Mul 15 0; Mul 15 2; Sub 1 0;
   Add 7 0; Mul 17 6; Mul 17 8; Sub 1 0; Add 3 0;
-  ShowZero 0; (* src/construct/christoffel/mod.rs:85 *)
+  ShowZero 0; (* as src/construct/christoffel/mod.rs finds *)
   Sub 138 277; Sub 136 278; Mul 75 70; Mul 75 72; Sub 1 0; Div 363 0; Mul 5 74; Mul 79 5; Sub 1 0;
   Mul 0 3; Mul 83 8; Mul 10 80; Sub 1 0; Mul 0 7; Mul 4 291; Mul 1 292; Add 1 0; Sub 294 0;
   Add 1 0; Sub 296 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 293; Mul 7 233; Add 1 0; Add 0 5; Sub 162 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 293; Mul 12 235; Add 1 0; Add 0 10; Sub 164 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 294; Mul 17 237; Add 1 0; Add 0 15; Sub 166 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 25 294; Mul 22 239; Add 1 0; Add 0 20; Sub 168 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 30 141; Mul 27 138; Add 1 0; Add 0 25; Sub 137 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 35 147; Mul 32 144; Add 1 0; Add 0 30; Sub 143 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 40 153; Mul 37 150; Add 1 0; Add 0 35; Sub 149 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 35; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 30; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 25; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 20; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 15; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 10; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 5; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 45 348; Mul 42 278; Add 1 0; Sub 241 0; Mul 49 351; Mul 46 281; Add 1 0; Add 0 3; Sub 240 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 54 355; Mul 51 285; Add 1 0; Add 0 8; Sub 239 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 59 359; Mul 56 289; Add 1 0; Add 0 13; Sub 238 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 64 363; Mul 61 293; Add 1 0; Add 0 18; Sub 237 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 69 367; Mul 66 297; Add 1 0; Add 0 23; Sub 236 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 74 371; Mul 71 301; Add 1 0; Add 0 28; Sub 235 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 79 375; Mul 76 305; Add 1 0; Add 0 33; Sub 234 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 387 370; Mul 317 309; Add 1 0; Mul 237 455; Sub 1 0; Mul 282 457; Sub 287 0; Sub 0 1;
   Mul 3 3; Mul 379 379; Mul 318 318; Add 1 0; Mul 0 4; Sub 4 0;
   ShowZero 0; (* touches Σ *)
@@ -638,223 +620,207 @@ Definition part_2_size_1 : list step := [
   Div 211 197; Div 212 87; Mul 1 3; Mul 58 0; Add 68 0; Sub 66 69; Mul 7 6; Neg 0; Mul 2 0;
   Add 4 0; Sub 12 71; Mul 11 9; Mul 1 0; Add 3 0; Sub 71 16; Mul 13 14; Neg 0; Mul 2 0; Add 4 0;
   Sub 0 83;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Add 209 204; Mul 0 35; Mul 211 34; Add 1 0; Mul 0 31; Add 214 0; Mul 0 30; Add 87 0; Mul 82 25;
   Add 93 0; Sub 90 94; Mul 0 23; Add 2 0; Sub 5 93; Mul 0 22; Add 2 0; Sub 92 8; Mul 0 20;
   Add 2 0; Sub 0 103;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 104 104; Add 0 0; Sub 0 216; Div 254 234; Mul 1 0; Mul 106 106; Mul 106 106; Add 1 0;
   Sub 0 213; Mul 0 5; Mul 107 107; Mul 107 107; Add 1 0; Sub 0 193; Mul 0 10; Mul 57 57;
   Mul 28 28; Add 1 0; Mul 144 144; Sub 1 0; Mul 0 16; Sub 16 6; Mul 0 59; Add 127 0; Sub 14 19;
   Mul 0 57; Add 2 0; Sub 6 17; Mul 0 56; Add 2 0; Sub 15 9; Mul 0 54; Add 2 0; Sub 0 137;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Add 260 234; Div 274 229; Mul 1 0; Neg 162; Mul 264 0; Add 2 0; Mul 271 277; Mul 0 224;
   Div 0 220; Mul 3 0; Add 270 0; Add 282 164; Mul 1 0; Add 144 0; Div 299 284; Div 300 168;
   Mul 1 91; Neg 0; Mul 135 0; Add 157 0; Sub 151 158; Mul 96 94; Mul 1 0; Add 3 0; Sub 10 155;
   Mul 98 9; Neg 0; Mul 2 0; Add 4 0; Sub 148 15; Mul 14 15; Mul 1 0; Add 3 0; Sub 0 171;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Add 292 266; Mul 0 33; Mul 294 32; Add 1 0; Mul 0 29; Add 297 0; Mul 0 28; Add 171 0;
   Mul 158 24; Add 181 0; Sub 174 182; Mul 0 23; Add 2 0; Sub 5 177; Mul 0 21; Add 2 0; Sub 168 8;
   Mul 0 20; Add 2 0; Sub 0 191;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 173 173; Mul 173 173; Add 1 0; Sub 0 246; Mul 0 88; Mul 45 45; Mul 18 18; Add 1 0;
   Mul 215 215; Sub 1 0; Mul 0 94; Sub 94 6; Mul 0 48; Add 205 0; Sub 87 97; Mul 0 47; Add 2 0;
   Sub 6 90; Mul 0 45; Add 2 0; Sub 15 9; Mul 0 44; Add 2 0; Sub 0 215;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Add 312 287; Div 352 282; Mul 1 0; Neg 233; Mul 316 0; Add 2 0; Mul 349 354; Mul 0 277;
   Div 0 273; Mul 3 0; Add 322 0; Add 359 235; Mul 1 0; Add 210 0; Div 377 361; Div 378 239;
   Mul 1 169; Mul 200 0; Add 234 0; Sub 216 235; Mul 173 83; Neg 0; Mul 2 0; Add 4 0; Sub 10 221;
   Mul 88 9; Mul 1 0; Add 3 0; Sub 213 14; Mul 13 14; Neg 0; Mul 2 0; Add 4 0; Sub 0 249;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Add 344 319; Mul 0 33; Mul 346 32; Add 1 0; Mul 0 29; Add 349 0; Mul 0 28; Add 237 0;
   Mul 224 25; Add 259 0; Sub 240 260; Mul 0 23; Add 2 0; Sub 5 243; Mul 0 22; Add 2 0; Sub 234 8;
   Mul 0 20; Add 2 0; Sub 0 269;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 239 239; Mul 239 239; Add 1 0; Sub 0 304; Mul 0 166; Mul 45 45; Mul 18 18; Add 1 0;
   Mul 286 286; Sub 1 0; Mul 0 172; Sub 172 6; Mul 0 49; Add 283 0; Sub 87 175; Mul 0 47; Add 2 0;
   Sub 6 90; Mul 0 46; Add 2 0; Sub 15 9; Mul 0 44; Add 2 0; Sub 0 293;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Add 365 422; Div 430 340; Mul 1 0; Neg 304; Mul 369 0; Add 2 0; Mul 427 431; Mul 0 335;
   Div 0 331; Mul 3 0; Add 375 0; Add 436 306; Mul 1 0; Add 276 0; Div 455 309; Mul 245 246; Neg 0;
   Mul 270 0; Add 312 0; Sub 282 313; Mul 251 83; Mul 1 0; Add 3 0; Sub 9 286; Mul 87 9; Neg 0;
   Mul 2 0; Add 4 0; Sub 319 14; Mul 14 259; Mul 1 0; Add 3 0; Sub 0 326;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Add 396 452; Mul 0 32; Mul 398 31; Add 1 0; Mul 0 28; Add 401 0; Mul 0 27; Add 302 0;
   Mul 293 24; Add 336 0; Sub 305 337; Mul 0 23; Add 2 0; Sub 5 308; Mul 0 21; Add 2 0; Sub 339 8;
   Mul 0 20; Add 2 0; Sub 0 346;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 39 39; Mul 13 13; Add 1 0; Mul 351 351; Sub 1 0; Mul 0 244; Sub 244 239; Mul 0 43;
   Add 355 0; Sub 81 247; Mul 0 42; Add 2 0; Sub 6 84; Mul 0 40; Add 2 0; Sub 248 9; Mul 0 39;
   Add 2 0; Sub 0 365;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 366 298; Add 0 299; Sub 0 368;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 369 276; Add 0 277; Sub 0 371;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 372 245; Add 0 246; Sub 0 374;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 375 302; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 377 281; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 379 249; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 14 299; Add 6 305; Sub 0 1;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 14 282; Add 7 286; Sub 0 1;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 14 251; Add 8 255; Sub 0 1;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 8 308; Sub 0 24;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 7 290; Sub 0 23;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 6 258; Sub 0 22;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 396 239; Add 0 240; Sub 0 398;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 399 218; Add 0 219; Sub 0 401;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 402 197; Add 0 198; Sub 0 404;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 38 239; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 37 220; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 36 198; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 5 241; Sub 0 15;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 5 223; Sub 0 14;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 5 201; Sub 0 13;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 417 183; Add 0 184; Sub 0 419;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 420 161; Add 0 162; Sub 0 422;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 423 140; Add 0 141; Sub 0 425;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 29 183; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 28 163; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 27 141; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 5 184; Sub 0 15;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 5 166; Sub 0 14;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 5 144; Sub 0 13;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 62 113; Add 21 118; Sub 0 1;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 63 96; Add 21 100; Sub 0 1;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 64 80; Add 21 84; Sub 0 1;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 8 122; Sub 0 72;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 7 104; Sub 0 72;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Add 6 87; Sub 0 72;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 453 86; Sub 454 84; Sub 79 88; Sub 78 86; Mul 448 0; Mul 448 2; Sub 1 0; Add 460 0;
   Mul 7 449; Mul 7 451; Sub 1 0; Add 3 0; Sub 403 458; Sub 374 458; Sub 85 100; Sub 83 98;
   Mul 458 0; Mul 458 2; Sub 1 0; Add 7 0; Mul 17 6; Mul 17 8; Sub 1 0; Add 3 0;
-  ShowZero 0; (* src/construct/christoffel/mod.rs:85 *)
+  ShowZero 0; (* as src/construct/christoffel/mod.rs finds *)
   Sub 477 80; Sub 478 78; Sub 112 82; Sub 110 80; Mul 460 0; Mul 460 2; Sub 1 0; Add 484 0;
   Mul 7 461; Mul 7 463; Sub 1 0; Add 3 0; Sub 337 470; Sub 310 470; Sub 85 94; Sub 84 92;
   Mul 470 0; Mul 470 2; Sub 1 0; Add 7 0; Mul 17 6; Mul 17 8; Sub 1 0; Add 3 0;
-  ShowZero 0; (* src/construct/christoffel/mod.rs:85 *)
+  ShowZero 0; (* as src/construct/christoffel/mod.rs finds *)
   Sub 501 83; Sub 502 81; Sub 106 85; Sub 104 83; Mul 472 0; Mul 472 2; Sub 1 0; Add 508 0;
   Mul 7 473; Mul 7 475; Sub 1 0; Add 3 0; Sub 283 482; Sub 256 482; Sub 88 97; Sub 87 95;
   Mul 482 0; Mul 482 2; Sub 1 0; Add 7 0; Mul 17 6; Mul 17 8; Sub 1 0; Add 3 0;
-  ShowZero 0; (* src/construct/christoffel/mod.rs:85 *)
+  ShowZero 0; (* as src/construct/christoffel/mod.rs finds *)
   Sub 525 149; Sub 526 148; Sub 109 151; Sub 107 150; Mul 488 0; Mul 488 2; Sub 1 0; Add 532 0;
   Mul 7 489; Mul 7 491; Sub 1 0; Add 3 0; Sub 229 534; Sub 203 534; Sub 100 163; Sub 98 162;
   Mul 498 0; Mul 498 2; Sub 1 0; Add 7 0; Mul 17 6; Mul 17 8; Sub 1 0; Add 3 0;
-  ShowZero 0; (* src/construct/christoffel/mod.rs:85 *)
+  ShowZero 0; (* as src/construct/christoffel/mod.rs finds *)
   Sub 549 176; Sub 170 177; Mul 97 94; Mul 97 96; Sub 1 0; Div 701 0; Mul 5 98; Mul 101 5;
   Sub 1 0; Mul 0 3; Mul 105 8; Mul 10 104; Sub 1 0; Mul 0 7; Mul 4 196; Mul 1 194; Add 1 0;
   Sub 193 0; Add 1 0; Sub 195 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 569; Mul 7 570; Add 1 0; Add 0 5; Sub 573 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 198; Mul 12 197; Add 1 0; Add 0 10; Sub 198 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 197; Mul 17 195; Add 1 0; Add 0 15; Sub 195 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 584 181; Sub 212 182; Mul 108 105; Mul 108 107; Sub 1 0; Div 736 0; Mul 5 109; Mul 112 5;
   Sub 1 0; Mul 0 3; Mul 116 8; Mul 10 115; Sub 1 0; Mul 0 7; Mul 4 201; Mul 1 199; Add 1 0;
   Sub 198 0; Add 1 0; Sub 200 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 604; Mul 7 605; Add 1 0; Add 0 5; Sub 608 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 242; Mul 12 240; Add 1 0; Add 0 10; Sub 240 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 208; Mul 17 207; Add 1 0; Add 0 15; Sub 208 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 619 195; Sub 217 196; Mul 119 116; Mul 119 118; Sub 1 0; Div 771 0; Mul 5 120; Mul 123 5;
   Sub 1 0; Mul 0 3; Mul 127 8; Mul 10 126; Sub 1 0; Mul 0 7; Mul 4 215; Mul 1 213; Add 1 0;
   Sub 212 0; Add 1 0; Sub 214 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 639; Mul 7 640; Add 1 0; Add 0 5; Sub 643 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 247; Mul 12 245; Add 1 0; Add 0 10; Sub 245 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 222; Mul 17 221; Add 1 0; Add 0 15; Sub 222 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 654 274; Sub 231 275; Mul 130 127; Mul 130 129; Sub 1 0; Div 806 0; Mul 5 131; Mul 134 5;
   Sub 1 0; Mul 0 3; Mul 138 8; Mul 10 137; Sub 1 0; Mul 0 7; Mul 4 292; Mul 1 291; Add 1 0;
   Sub 291 0; Add 1 0; Sub 293 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 674; Mul 7 675; Add 1 0; Add 0 5; Sub 678 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 261; Mul 12 259; Add 1 0; Add 0 10; Sub 259 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 245; Mul 17 243; Add 1 0; Add 0 15; Sub 243 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 120; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 115; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 110; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 105; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 130 682; Mul 127 682; Add 1 0; Sub 573 0; Add 121 0; Sub 585 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 136 692; Mul 133 692; Add 1 0; Add 0 5; Sub 585 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 141 638; Mul 138 609; Add 1 0; Add 0 10; Sub 579 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
-  ShowZero 101; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 96; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 91; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 86; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 111 686; Mul 108 686; Add 1 0; Sub 511 0; Add 102 0; Sub 601 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 117 704; Mul 114 704; Add 1 0; Add 0 5; Sub 596 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 122 564; Mul 119 537; Add 1 0; Add 0 10; Sub 517 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
-  ShowZero 82; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 77; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 72; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 67; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 92 690; Mul 89 690; Add 1 0; Sub 449 0; Add 83 0; Sub 617 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 98 708; Mul 95 708; Add 1 0; Add 0 5; Sub 534 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 103 502; Mul 100 475; Add 1 0; Add 0 10; Sub 455 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
-  ShowZero 63; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 58; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 53; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 48; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 73 734; Mul 70 734; Add 1 0; Sub 626 0; Add 64 0; Sub 633 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 79 712; Mul 76 712; Add 1 0; Add 0 5; Sub 472 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 84 440; Mul 81 414; Add 1 0; Add 0 10; Sub 399 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 746 744; Mul 746 744; Add 1 0; Mul 630 903; Sub 1 0; Mul 639 905; Sub 642 0; Sub 0 1;
   Mul 3 3; Mul 753 753; Mul 753 753; Add 1 0; Mul 0 4; Sub 4 0;
   ShowZero 0; (* touches Σ *)

@@ -38,42 +38,42 @@ Definition part_1_size_1 : list step := [
   Mul 122 26; Add 1 0; Div 124 120; Mul 107 0; Mul 128 0; Mul 128 1; Sub 128 125; Mul 0 4;
   Mul 27 3; Mul 21 3; Add 1 0; Mul 16 3; Add 1 0; Mul 11 135; Add 1 0;
   Nonzero 0; (* an isotropic vector has a last coordinate, as in ordered fields *)
-  ShowNonzero 137; (* src/space/similarity.rs:86 *)
+  ShowNonzero 137; (* as src/space/similarity.rs finds *)
   Mul 137 95; Add 0 40; Add 0 39; Mul 131 95; Add 1 0; Mul 142 99; Add 46 0; Add 0 44; Add 0 4;
   Mul 146 102; Add 48 0; Add 0 7; Neg 46; Mul 8 8; Mul 5 5; Add 1 0; Mul 4 4; Add 1 0; Mul 52 5;
   Add 1 0; Neg 148; Mul 158 158; Mul 150 150; Add 1 0; Add 0 1; Mul 153 4; Add 1 0; Mul 0 164;
   Sub 8 0;
-  ShowZero 0; (* src/space/similarity.rs:92 *)
+  ShowZero 0; (* as src/space/similarity.rs finds *)
   Mul 166 106; Add 0 62; Add 0 61; Mul 160 106; Add 1 0; Mul 171 110; Add 68 0; Add 0 66; Add 0 4;
   Mul 175 113; Add 70 0; Add 0 7; Neg 68; Mul 37 8; Mul 34 5; Add 1 0; Mul 33 4; Add 1 0;
   Mul 81 5; Add 1 0; Mul 186 177; Mul 178 187; Add 1 0; Add 0 29; Add 0 27; Mul 0 191; Sub 6 0;
-  ShowZero 0; (* src/space/similarity.rs:92 *)
+  ShowZero 0; (* as src/space/similarity.rs finds *)
   Mul 193 116; Add 0 82; Add 0 81; Mul 187 116; Add 1 0; Mul 198 120; Add 88 0; Add 0 86; Add 0 4;
   Mul 202 123; Add 90 0; Add 0 7; Neg 88; Mul 64 8; Mul 61 5; Add 1 0; Mul 60 4; Add 1 0;
   Mul 108 5; Add 1 0; Add 26 53; Add 0 26; Add 0 52; Mul 0 216; Sub 4 0;
-  ShowZero 0; (* src/space/similarity.rs:92 *)
+  ShowZero 0; (* as src/space/similarity.rs finds *)
   Mul 218 125; Add 0 100; Add 0 99; Mul 212 125; Add 1 0; Mul 223 129; Add 106 0; Add 0 104;
   Add 0 4; Mul 227 132; Add 108 0; Add 0 7; Neg 106; Mul 89 8; Mul 86 5; Add 1 0; Mul 85 4;
   Add 1 0; Mul 133 5; Add 1 0; Neg 238; Add 25 79; Mul 231 1; Add 1 0; Mul 0 242; Sub 5 0;
-  ShowZero 0; (* src/space/similarity.rs:92 *)
+  ShowZero 0; (* as src/space/similarity.rs finds *)
   Mul 73 73; Mul 70 70; Add 1 0; Mul 69 69; Add 1 0; Mul 139 70; Add 1 0; Add 91 92; Add 0 92;
   Add 0 90; Mul 0 254; Sub 4 0;
-  ShowZero 0; (* src/space/similarity.rs:92 *)
+  ShowZero 0; (* as src/space/similarity.rs finds *)
   Mul 85 58; Mul 82 55; Add 1 0; Mul 81 54; Add 1 0; Mul 151 55; Add 1 0; Add 103 76; Add 0 76;
   Add 0 102; Mul 0 266; Sub 4 0;
-  ShowZero 0; (* src/space/similarity.rs:92 *)
+  ShowZero 0; (* as src/space/similarity.rs finds *)
   Mul 97 45; Mul 94 42; Add 1 0; Mul 93 41; Add 1 0; Mul 163 42; Add 1 0; Add 11 115; Add 0 35;
   Mul 0 277; Sub 3 0;
-  ShowZero 0; (* src/space/similarity.rs:92 *)
+  ShowZero 0; (* as src/space/similarity.rs finds *)
   Mul 81 81; Mul 78 78; Add 1 0; Mul 77 77; Add 1 0; Mul 167 78; Add 1 0; Add 126 126; Add 0 128;
   Add 0 125; Mul 0 289; Sub 4 0;
-  ShowZero 0; (* src/space/similarity.rs:92 *)
+  ShowZero 0; (* as src/space/similarity.rs finds *)
   Mul 93 68; Mul 90 65; Add 1 0; Mul 89 64; Add 1 0; Mul 179 65; Add 1 0; Add 11 111; Add 0 58;
   Mul 0 300; Sub 3 0;
-  ShowZero 0; (* src/space/similarity.rs:92 *)
+  ShowZero 0; (* as src/space/similarity.rs finds *)
   Mul 79 79; Mul 76 76; Add 1 0; Mul 75 75; Add 1 0; Mul 183 76; Add 1 0; Add 22 149; Mul 310 71;
   Add 1 0; Mul 0 312; Sub 4 0;
-  ShowZero 0; (* src/space/similarity.rs:92 *)
+  ShowZero 0; (* as src/space/similarity.rs finds *)
   Unknown 6; Unknown 7; Unknown 8; Unknown 9; Mul 318 297; Mul 310 296; Add 1 0; Mul 312 296;
   Add 1 0; Mul 314 296; Add 1 0; Mul 316 304; Mul 326 303; Add 1 0; Add 0 6; Add 0 5; Add 4 10;
   Mul 331 306; Add 1 0; Add 0 9; Add 3 12; Mul 335 308; Add 1 0; Add 12 22; Add 8 22; Add 5 22;

@@ -18,25 +18,25 @@ Definition part_1_size_1 : list step := [
   Unknown 0; Unknown 1; Unknown 2; Unknown 3; Unknown 4; Unknown 5; Unknown 6; Mul 2 6; Mul 3 6;
   Add 3 1; Add 3 1; Mul 6 8; Mul 7 8; Add 7 1; Add 7 1; Sub 12 14; Sub 12 14; Sub 3 7; Sub 3 7;
   Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 7; Unknown 8; Unknown 9; Mul 20 2; Add 1 0; Mul 22 3; Add 3 0; Sub 5 6; Sub 1 3;
   Mul 14 0; Mul 2 13; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 16; Mul 19 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 10; Unknown 11; Mul 34 1; Mul 35 1; Add 35 1; Add 35 1; Sub 5 40; Sub 5 40; Sub 3 31;
   Sub 3 31; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 12; Mul 46 0; Add 27 0; Sub 2 29; Sub 1 25; Mul 10 0; Mul 2 9; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 12; Mul 15 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 60 23; Sub 60 23; Sub 53 21; Sub 53 21; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 45 17; Sub 42 16; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 13; Mul 0 50; Add 55 0; Mul 2 69; Add 79 0; Mul 4 70; Add 80 0; Sub 4 60; Sub 3 83;
   Sub 2 83; Mul 1 69; Mul 1 71; Sub 1 0; Mul 3 59; Mul 6 73; Sub 1 0; Mul 8 76; Mul 8 63; Sub 1 0;
   Mul 18 18; Mul 86 79; Mul 86 81; Sub 1 0; Mul 88 69; Mul 73 83; Sub 1 0; Mul 75 86; Mul 93 73;

@@ -32,80 +32,80 @@ Definition part_1_size_1 : list step := [
   Mul 84 70; Mul 84 70; Add 1 0; Add 0 7; Sub 4 0; Sub 13 1; Constant 1; Div 0 69; Mul 3 73;
   Mul 76 3; Sub 1 0; Mul 0 3; Mul 80 6; Mul 8 79; Sub 1 0; Mul 0 7; Mul 4 86; Mul 1 86; Add 1 0;
   Sub 15 0; Add 1 0; Sub 17 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 94; Mul 7 94; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 107; Mul 12 107; Add 1 0; Add 0 10; Sub 39 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 116 83; Mul 116 83; Add 1 0; Add 0 39; Mul 24 87; Mul 21 87; Add 1 0; Add 0 19; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Unknown 21; Unknown 22; Unknown 23; Mul 128 2; Mul 128 2; Add 1 0; Sub 3 0; Unknown 24;
   Mul 125 0; Mul 128 1; Add 9 1; Add 9 1; Mul 137 1; Mul 137 1; Add 1 0; Add 0 8; Unknown 25;
   Unknown 26; Mul 143 1; Mul 143 1; Add 1 0; Add 0 14; Mul 51 5; Mul 48 5; Add 1 0; Sub 3 0;
   Mul 55 15; Mul 52 15; Add 1 0; Add 0 3; Sub 14 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 60 30; Mul 57 30; Add 1 0; Add 0 8; Sub 32 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Unknown 27; Mul 133 0; Mul 136 1; Add 38 1; Add 38 1; Mul 166 1; Mul 166 1; Add 1 0; Add 0 37;
   Mul 74 5; Mul 71 5; Add 1 0; Add 0 22; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 152 171; Mul 152 171; Add 1 0; Sub 102 0; Mul 156 138; Mul 156 138; Add 1 0; Add 0 3;
   Sub 107 63; Sub 1 64; Div 94 136; Mul 2 140; Mul 143 2; Sub 1 0; Mul 0 3; Mul 147 5; Mul 7 146;
   Sub 1 0; Mul 0 7; Mul 4 161; Mul 1 161; Add 1 0; Sub 77 0; Add 1 0; Sub 79 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 196; Mul 7 196; Add 1 0; Add 0 5; Sub 128 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 164; Mul 12 164; Add 1 0; Add 0 10; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Unknown 28; Unknown 29; Mul 189 1; Mul 189 1; Add 1 0; Add 0 36; Mul 26 5; Mul 23 5; Add 1 0;
   Add 0 21; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 31 56; Mul 28 56; Add 1 0; Sub 54 0; Mul 35 99; Mul 32 99; Add 1 0; Add 0 3; Sub 101 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 207 104; Mul 207 104; Add 1 0; Sub 105 0; Unknown 30; Mul 198 0; Mul 201 1; Add 111 1;
   Add 111 1; Mul 216 1; Mul 216 1; Add 1 0; Add 0 8; Mul 53 5; Mul 50 5; Add 1 0; Add 0 21;
   Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Unknown 31; Unknown 32; Mul 227 1; Mul 227 1; Add 1 0; Add 0 19; Mul 64 5; Mul 61 5; Add 1 0;
   Add 0 32; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 257 255; Mul 257 255; Add 1 0; Sub 186 0; Mul 261 207; Mul 261 207; Add 1 0; Add 0 3;
   Mul 265 209; Mul 265 209; Add 1 0; Add 0 7; Sub 0 187; Sub 5 188; Div 182 207; Mul 2 211;
   Mul 214 2; Sub 1 0; Mul 0 3; Mul 218 5; Mul 7 217; Sub 1 0; Mul 0 7; Mul 4 270; Mul 1 270;
   Add 1 0; Sub 201 0; Add 1 0; Sub 203 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 230; Mul 7 230; Add 1 0; Add 0 5; Sub 21 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 237; Mul 12 237; Add 1 0; Add 0 10; Sub 30 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 294; Mul 17 294; Add 1 0; Add 0 15; Sub 226 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 301 177; Mul 301 177; Add 1 0; Sub 178 0; Unknown 33; Unknown 34; Mul 307 1; Mul 307 1;
   Add 1 0; Add 0 5; Mul 35 177; Mul 32 177; Add 1 0; Sub 175 0; Mul 39 9; Mul 36 9; Add 1 0;
   Add 0 3; Sub 8 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Unknown 35; Mul 271 0; Mul 274 1; Add 199 1; Add 199 1; Mul 325 1; Mul 325 1; Add 1 0; Add 0 23;
   Mul 53 5; Mul 50 5; Add 1 0; Add 0 17; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 58 210; Mul 55 210; Add 1 0; Add 0 22; Sub 212 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 316 337; Mul 316 337; Add 1 0; Sub 268 0; Mul 320 278; Mul 320 278; Add 1 0; Add 0 3;
   Sub 82 273; Sub 1 274; Div 260 276; Mul 2 280; Mul 283 2; Sub 1 0; Mul 0 3; Mul 287 5;
   Mul 7 286; Sub 1 0; Mul 0 7; Mul 4 356; Mul 1 356; Add 1 0; Sub 287 0; Add 1 0; Sub 289 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 310; Mul 7 310; Add 1 0; Add 0 5; Sub 103 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 304; Mul 12 304; Add 1 0; Add 0 10; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 335; Mul 17 335; Add 1 0; Add 0 15; Sub 197 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 25 255; Mul 22 255; Add 1 0; Sub 256 0; Mul 29 59; Mul 26 59; Add 1 0; Add 0 3; Sub 58 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 365 264; Mul 365 264; Add 1 0; Sub 265 0; Unknown 36; Unknown 37; Mul 371 1; Mul 371 1;
   Add 1 0; Add 0 5; Mul 44 5; Mul 41 5; Add 1 0; Add 0 18; Sub 4 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 49 167; Mul 46 167; Add 1 0; Add 0 23; Sub 166 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Sub 377 406; Sub 377 406; Sub 292 336; Mul 286 243; Mul 286 248; Sub 1 0; Mul 288 251;
   Mul 291 247; Sub 1 0; Mul 293 253; Mul 293 255; Sub 1 0; Mul 11 6; Mul 11 4; Add 1 0; Mul 12 3;
   Add 1 0;

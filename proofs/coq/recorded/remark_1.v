@@ -100,7 +100,7 @@ Definition part_2_size_4 : list step := [
   Mul 8 29; Sub 1 0; Mul 10 54; Mul 10 56; Sub 1 0; Mul 60 6; Mul 60 4; Add 1 0; Mul 40 3;
   Add 1 0;
   Zero 0; (* M is i-circular *)
-  ShowNonzero 37; (* src/space/sphere.rs:180 *)
+  ShowNonzero 37; (* as src/space/sphere.rs finds *)
   Unknown 8; Unknown 9; Unknown 10; Mul 2 74; Mul 2 74; Add 1 0; Add 0 3; Unknown 11; Unknown 12;
   Unknown 13; Unknown 14; Constant 0; Mul 0 0; Add 0 0; Sub 0 51; Div 52 87; Mul 1 0; Neg 5;
   Div 90 55; Sub 7 7; Neg 3; Neg 58; Mul 2 1; Mul 3 5; Add 1 0; Add 0 1; Mul 6 4; Add 1 0;
@@ -204,7 +204,7 @@ Definition part_3_size_1 : list step := [
   Nonzero 0; (* no face circle passes through the centre *)
   Constant 1; Add 0 1;
   Nonzero 0; (* no face circle is the image of a great circle *)
-  ShowNonzero 1; (* src/space/sphere.rs:180 *)
+  ShowNonzero 1; (* as src/space/sphere.rs finds *)
   Unknown 3; Unknown 4; Unknown 5; Unknown 6; Unknown 7; Unknown 8; Unknown 9; Constant 0;
   Mul 0 0; Add 0 0; Sub 0 11; Div 12 20; Mul 1 0; Neg 5; Div 23 15; Sub 7 7; Neg 3; Neg 18;
   Mul 2 1; Mul 3 5; Add 1 0; Add 0 1; Mul 6 4; Add 1 0; Mul 0 9; Mul 0 26; Sub 10 0; Add 0 19;

@@ -365,122 +365,122 @@ Definition part_2_size_1 : list step := [
   Nonzero 0; (* no incircle is the image of a great circle *)
   Mul 165 133; Mul 166 124; Sub 132 122; Sub 132 122; Mul 1 1; Mul 1 1; Add 1 0; Add 6 5; Mul 0 0;
   Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Mul 175 116; Sub 131 114; Sub 131 114; Mul 1 1; Mul 1 1; Add 1 0; Add 14 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Mul 184 147; Mul 119 119; Mul 119 119; Add 1 0; Add 12 3; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Mul 144 144; Mul 144 144; Add 1 0; Add 9 28; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Mul 197 114; Sub 136 112; Sub 136 112; Mul 1 1; Mul 1 1; Add 1 0; Add 27 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Mul 206 152; Sub 121 150; Sub 121 150; Mul 1 1; Mul 1 1; Add 1 0; Add 14 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Mul 151 151; Mul 151 151; Add 1 0; Add 11 33; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Mul 221 150; Sub 177 148; Sub 177 148; Mul 1 1; Mul 1 1; Add 1 0; Add 60 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Mul 230 142; Sub 157 140; Sub 157 140; Mul 1 1; Mul 1 1; Add 1 0; Add 14 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Mul 144 144; Mul 144 144; Add 1 0; Add 11 66; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Div 246 214; Mul 222 0; Mul 235 1; Add 252 1; Add 252 1; Mul 250 4; Sub 160 2; Sub 160 2;
   Mul 1 1; Mul 1 1; Add 1 0; Add 25 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Sub 10 173; Sub 10 173; Mul 1 1; Mul 1 1; Add 1 0; Add 13 66; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Sub 269 269; Div 269 215; Mul 1 219; Mul 222 2; Sub 1 0; Mul 0 3; Mul 226 5; Mul 6 225; Sub 1 0;
   Mul 0 7; Mul 4 242; Mul 1 242; Add 1 0; Sub 282 0; Mul 8 219; Mul 5 219; Add 1 0; Add 0 3;
   Sub 223 250; Sub 223 250; Sub 2 289; Mul 239 1; Mul 239 3; Sub 1 0; Div 292 0; Mul 24 5;
   Mul 243 5; Sub 1 0; Mul 0 3; Mul 247 8; Mul 29 11; Sub 1 0; Mul 0 7; Mul 4 265; Mul 1 265;
   Add 1 0; Sub 305 0; Add 1 0; Sub 307 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 261; Mul 7 261; Add 1 0; Add 0 5; Sub 312 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 249; Mul 12 249; Add 1 0; Add 0 10; Sub 30 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 276; Mul 17 276; Add 1 0; Add 0 15; Sub 322 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 286 286; Mul 286 286; Add 1 0; Mul 158 158; Sub 1 0; Mul 0 326; Mul 282 282; Mul 282 282;
   Add 1 0; Mul 163 163; Sub 1 0; Mul 0 332; Mul 271 271; Mul 271 271; Add 1 0; Mul 160 160;
   Sub 1 0; Mul 0 338; Sub 6 12; Sub 1 13; Mul 1 54; Mul 292 1; Sub 1 0; Mul 0 52; Mul 296 4;
   Mul 6 60; Sub 1 0; Mul 0 56; Mul 4 314; Mul 1 314; Add 1 0; Sub 25 0; Add 1 0; Sub 27 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 310; Mul 7 310; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 298; Mul 12 298; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 325 325; Mul 325 325; Add 1 0; Mul 183 183; Sub 1 0; Mul 0 370; Mul 26 331; Mul 23 331;
   Add 1 0; Add 0 21; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Unknown 2; Sub 0 379; Div 379 308; Mul 1 312; Mul 315 92; Sub 1 0; Mul 0 3; Mul 319 95;
   Mul 6 318; Sub 1 0; Mul 0 7; Mul 4 347; Mul 1 347; Add 1 0; Sub 392 0; Mul 8 305; Mul 5 305;
   Add 1 0; Add 0 3; Sub 309 355; Sub 309 355; Sub 2 399; Mul 332 1; Mul 332 3; Sub 1 0; Div 402 0;
   Mul 114 5; Mul 336 5; Sub 1 0; Mul 0 3; Mul 340 8; Mul 119 11; Sub 1 0; Mul 0 7; Mul 4 370;
   Mul 1 370; Add 1 0; Sub 415 0; Add 1 0; Sub 417 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 354; Mul 7 354; Add 1 0; Add 0 5; Sub 135 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 335; Mul 12 335; Add 1 0; Add 0 10; Sub 30 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 369; Mul 17 369; Add 1 0; Add 0 15; Sub 53 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 345 345; Mul 345 345; Add 1 0; Mul 236 236; Sub 1 0; Mul 0 436; Sub 98 66; Sub 1 67;
   Mul 1 42; Mul 373 1; Sub 1 0; Mul 0 40; Mul 377 4; Mul 6 48; Sub 1 0; Mul 0 44; Mul 4 407;
   Mul 1 407; Add 1 0; Sub 79 0; Add 1 0; Sub 81 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 391; Mul 7 391; Add 1 0; Add 0 5; Sub 118 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 372; Mul 12 372; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 406 406; Mul 406 406; Add 1 0; Mul 259 259; Sub 1 0; Mul 0 468; Mul 26 412; Mul 23 412;
   Add 1 0; Add 0 21; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Unknown 3; Sub 0 477; Div 477 394; Mul 189 398; Mul 401 2; Sub 1 0; Mul 0 3; Mul 405 5;
   Mul 194 404; Sub 1 0; Mul 0 7; Mul 4 440; Mul 1 440; Add 1 0; Sub 490 0; Mul 8 398; Mul 5 398;
   Add 1 0; Add 0 3; Sub 402 448; Sub 402 448; Sub 2 497; Mul 418 1; Mul 418 3; Sub 1 0; Div 500 0;
   Mul 24 5; Mul 422 5; Sub 1 0; Mul 0 3; Mul 426 8; Mul 29 11; Sub 1 0; Mul 0 7; Mul 4 463;
   Mul 1 463; Add 1 0; Sub 513 0; Add 1 0; Sub 515 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 440; Mul 7 440; Add 1 0; Add 0 5; Sub 43 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 428; Mul 12 428; Add 1 0; Add 0 10; Sub 30 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 462; Mul 17 462; Add 1 0; Add 0 15; Sub 243 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 455 455; Mul 455 455; Add 1 0; Mul 310 310; Sub 1 0; Mul 0 534; Mul 444 444; Mul 444 444;
   Add 1 0; Mul 307 307; Sub 1 0; Mul 0 540; Sub 6 208; Sub 1 209; Mul 1 48; Mul 465 1; Sub 1 0;
   Mul 0 46; Mul 469 4; Mul 6 54; Sub 1 0; Mul 0 50; Mul 4 506; Mul 1 506; Add 1 0; Sub 221 0;
   Add 1 0; Sub 223 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 483; Mul 7 483; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 471; Mul 12 471; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 505; Mul 17 505; Add 1 0; Add 0 15; Sub 232 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 177 287; Sub 80 288; Div 575 475; Mul 2 479; Mul 482 2; Sub 1 0; Mul 0 3; Mul 486 5;
   Mul 7 485; Sub 1 0; Mul 0 7; Mul 4 521; Mul 1 521; Add 1 0; Sub 301 0; Mul 8 338; Mul 5 338;
   Add 1 0; Add 0 3; Sub 342 529; Sub 342 529; Sub 2 308; Mul 499 1; Mul 499 3; Sub 1 0; Div 598 0;
   Mul 24 5; Mul 503 5; Sub 1 0; Mul 0 3; Mul 507 8; Mul 29 11; Sub 1 0; Mul 0 7; Mul 4 544;
   Mul 1 544; Add 1 0; Sub 324 0; Add 1 0; Sub 326 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 521; Mul 7 521; Add 1 0; Add 0 5; Sub 123 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 368; Mul 12 368; Add 1 0; Add 0 10; Sub 30 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 536; Mul 17 536; Add 1 0; Add 0 15; Sub 231 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 378 378; Mul 378 378; Add 1 0; Mul 379 379; Sub 1 0; Mul 0 632; Sub 92 294; Sub 1 295;
   Mul 1 42; Mul 540 1; Sub 1 0; Mul 0 40; Mul 544 4; Mul 6 48; Sub 1 0; Mul 0 44; Mul 4 581;
   Mul 1 581; Add 1 0; Sub 307 0; Add 1 0; Sub 309 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 558; Mul 7 558; Add 1 0; Add 0 5; Sub 112 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 405; Mul 12 405; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 573; Mul 17 573; Add 1 0; Add 0 15; Sub 226 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 319 319; Mul 316 316; Add 1 0; Mul 314 672; Add 1 0; Sub 2 0; Add 671 0; Div 672 0;
   Mul 677 0; Mul 369 0; Neg 0; Mul 0 326; Sub 0 376; Mul 328 4; Sub 679 8; Mul 0 7; Mul 133 133;
   Mul 130 130; Add 1 0; Mul 128 688; Add 1 0; Sub 2 0; Add 687 0; Div 688 0; Mul 693 0; Mul 177 0;

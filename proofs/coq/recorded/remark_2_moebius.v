@@ -59,7 +59,7 @@ Definition part_1_size_3 : list step := [
   Div 90 76; Sub 91 78; Mul 0 1; Mul 84 96; Mul 0 3; Mul 2 97; Mul 1 98; Add 79 1; Add 79 1;
   Mul 1 1; Mul 1 1; Add 1 0;
   Nonzero 0; (* no incircle passes through the centre *)
-  ShowNonzero 102; (* src/space/sphere.rs:180 *)
+  ShowNonzero 102; (* as src/space/sphere.rs finds *)
   Unknown 6; Unknown 7; Unknown 8; Sub 7 87; Sub 7 87; Sub 2 4; Sub 62 90; Sub 62 90; Sub 6 7;
   Mul 5 1; Mul 5 3; Sub 1 0; Div 114 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11;
   Sub 1 0; Mul 0 7; Mul 4 105; Mul 1 105; Add 1 0; Sub 23 0; Mul 8 29; Mul 5 29; Add 1 0; Add 0 3;
@@ -279,7 +279,7 @@ Definition part_1_size_4 : list step := [
   Div 122 102; Sub 123 104; Mul 0 1; Mul 110 128; Mul 0 3; Mul 2 129; Mul 1 130; Add 105 1;
   Add 105 1; Mul 1 1; Mul 1 1; Add 1 0;
   Nonzero 0; (* no incircle passes through the centre *)
-  ShowNonzero 134; (* src/space/sphere.rs:180 *)
+  ShowNonzero 134; (* as src/space/sphere.rs finds *)
   Unknown 7; Unknown 8; Unknown 9; Sub 7 113; Sub 7 113; Sub 2 4; Sub 88 116; Sub 88 116; Sub 6 7;
   Mul 5 1; Mul 5 3; Sub 1 0; Div 146 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11;
   Sub 1 0; Mul 0 7; Mul 4 131; Mul 1 131; Add 1 0; Sub 23 0; Mul 8 29; Mul 5 29; Add 1 0; Add 0 3;

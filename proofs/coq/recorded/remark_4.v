@@ -24,7 +24,7 @@ Definition part_1_size_2 : list step := [
   Unknown 2;
   Zero 0; (* f is harmonic *)
   Constant 1;
-  ShowNonzero 0; (* src/space/sphere.rs:180 *)
+  ShowNonzero 0; (* as src/space/sphere.rs finds *)
   Constant 0; Mul 0 0; Add 0 0; Sub 0 3; Div 4 11; Mul 1 0; Neg 5; Div 14 7; Sub 7 7; Neg 3;
   Neg 10; Mul 2 1; Mul 3 5; Add 1 0; Add 0 1; Mul 6 4; Add 1 0; Mul 0 9; Mul 0 18; Sub 10 0;
   Add 0 19; Mul 3 14; Sub 13 0; Add 0 22; Sub 24 23; Mul 0 15; Add 0 13; Add 0 14; Add 0 12;
@@ -213,7 +213,7 @@ Definition part_1_size_3 : list step := [
   Unknown 2;
   Zero 0; (* f is harmonic *)
   Constant 1;
-  ShowNonzero 0; (* src/space/sphere.rs:180 *)
+  ShowNonzero 0; (* as src/space/sphere.rs finds *)
   Constant 0; Mul 0 0; Add 0 0; Sub 0 3; Div 4 11; Mul 1 0; Neg 5; Div 14 7; Sub 7 7; Neg 3;
   Neg 10; Mul 2 1; Mul 3 5; Add 1 0; Add 0 1; Mul 6 4; Add 1 0; Mul 0 9; Mul 0 18; Sub 10 0;
   Add 0 19; Mul 3 14; Sub 13 0; Add 0 22; Sub 24 23; Mul 0 15; Add 0 13; Add 0 14; Add 0 12;
@@ -464,7 +464,7 @@ Definition part_1_size_4 : list step := [
   Unknown 2;
   Zero 0; (* f is harmonic *)
   Constant 1;
-  ShowNonzero 0; (* src/space/sphere.rs:180 *)
+  ShowNonzero 0; (* as src/space/sphere.rs finds *)
   Constant 0; Mul 0 0; Add 0 0; Sub 0 3; Div 4 11; Mul 1 0; Neg 5; Div 14 7; Sub 7 7; Neg 3;
   Neg 10; Mul 2 1; Mul 3 5; Add 1 0; Add 0 1; Mul 6 4; Add 1 0; Mul 0 9; Mul 0 18; Sub 10 0;
   Add 0 19; Mul 3 14; Sub 13 0; Add 0 22; Sub 24 23; Mul 0 15; Add 0 13; Add 0 14; Add 0 12;
@@ -781,7 +781,7 @@ Definition part_2_size_1 : list step := [
   Sub 7 16; Mul 1 1; Mul 1 1; Add 1 0; Sub 0 5;
   Nonzero 0; (* no vertex circle and no incircle passes through the centre of the inversion *)
   Constant 1;
-  ShowNonzero 0; (* src/space/sphere.rs:180 *)
+  ShowNonzero 0; (* as src/space/sphere.rs finds *)
   Unknown 5; Unknown 6; Unknown 7; Mul 1 28; Mul 1 28; Add 1 0; Sub 5 0; Mul 29 29; Add 0 0;
   Sub 0 9; Div 10 36; Mul 1 0; Neg 34; Div 39 13; Sub 36 36; Neg 3; Neg 16; Mul 2 1; Mul 3 5;
   Add 1 0; Add 0 1; Mul 6 4; Add 1 0; Mul 0 9; Mul 0 24; Sub 10 0; Add 0 48; Mul 3 14; Sub 13 0;
@@ -935,242 +935,242 @@ Definition part_3_size_2 : list step := [
   Add 0 609;
   Nonzero 0; (* no incircle is the image of a great circle: 1 + N != 0 *)
   Sub 607 612; Sub 608 612; Mul 1 1; Mul 1 1; Add 1 0; Sub 0 573;
-  ShowNonzero 0; (* src/construct/minimal/enneper.rs:66 *)
+  ShowNonzero 0; (* as src/construct/minimal/enneper.rs finds *)
   Sub 605 617; Mul 0 0; Add 5 0; Sub 0 577;
-  ShowNonzero 0; (* src/construct/minimal/enneper.rs:66 *)
+  ShowNonzero 0; (* as src/construct/minimal/enneper.rs finds *)
   Sub 609 622; Mul 0 0; Add 0 8; Sub 0 581;
-  ShowNonzero 0; (* src/construct/minimal/enneper.rs:66 *)
+  ShowNonzero 0; (* as src/construct/minimal/enneper.rs finds *)
   Add 2 6; Sub 0 583;
-  ShowNonzero 0; (* src/construct/minimal/enneper.rs:66 *)
-  ShowNonzero 626; (* src/space/sphere.rs:180 *)
+  ShowNonzero 0; (* as src/construct/minimal/enneper.rs finds *)
+  ShowNonzero 626; (* as src/space/sphere.rs finds *)
   Mul 628 571; Mul 628 568; Add 1 0; Sub 580 581; Mul 0 629; Add 0 2; Mul 634 519; Mul 634 517;
   Add 1 0; Sub 586 528; Mul 0 635; Add 0 2; Mul 640 509; Mul 640 507; Add 1 0; Sub 572 534;
   Mul 0 641; Add 0 2; Sub 6 12; Sub 1 13; Mul 1 418; Mul 422 1; Sub 1 0; Mul 0 416; Mul 426 4;
   Mul 6 424; Sub 1 0; Mul 0 420; Mul 4 599; Mul 1 596; Add 1 0; Sub 25 0; Add 1 0; Sub 27 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 547; Mul 7 545; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 536; Mul 12 534; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 672 596; Mul 672 593; Add 1 0; Sub 604 625; Mul 0 673; Add 0 2; Mul 26 602; Mul 23 599;
   Add 1 0; Add 0 21; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 444 626; Mul 441 623; Add 1 0; Sub 471 0; Add 1 0; Sub 473 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 450 574; Mul 447 572; Add 1 0; Add 0 5; Sub 473 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 455 563; Mul 452 561; Add 1 0; Add 0 10; Sub 473 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 460 623; Mul 457 620; Add 1 0; Add 0 15; Sub 323 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 704 557; Mul 704 555; Add 1 0; Sub 617 598; Mul 0 705; Add 0 2; Sub 64 32; Sub 1 33;
   Mul 1 322; Mul 326 1; Sub 1 0; Mul 0 320; Mul 330 4; Mul 6 328; Sub 1 0; Mul 0 324; Mul 4 644;
   Mul 1 641; Add 1 0; Sub 45 0; Add 1 0; Sub 47 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 595; Mul 7 593; Add 1 0; Add 0 5; Sub 84 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 584; Mul 12 582; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 736 641; Mul 736 638; Add 1 0; Sub 649 689; Mul 0 737; Add 0 2; Mul 26 647; Mul 23 644;
   Add 1 0; Add 0 21; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 348 671; Mul 345 668; Add 1 0; Sub 370 0; Add 1 0; Sub 372 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 354 622; Mul 351 620; Add 1 0; Add 0 5; Sub 532 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 359 611; Mul 356 609; Add 1 0; Add 0 10; Sub 377 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 668 668; Mul 665 665; Add 1 0; Sub 0 665; Mul 0 764; Mul 369 673; Mul 366 670; Add 1 0;
   Add 0 20; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 773 607; Mul 773 605; Add 1 0; Sub 725 616; Mul 0 774; Add 0 2; Mul 779 597; Mul 779 595;
   Add 1 0; Sub 711 622; Mul 0 780; Add 0 2; Sub 6 145; Sub 1 146; Mul 1 316; Mul 320 1; Sub 1 0;
   Mul 0 314; Mul 324 4; Mul 6 322; Sub 1 0; Mul 0 318; Mul 4 680; Mul 1 678; Add 1 0; Sub 158 0;
   Add 1 0; Sub 160 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 635; Mul 7 633; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 624; Mul 12 622; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 680; Mul 17 678; Add 1 0; Add 0 15; Sub 169 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 336 701; Mul 333 699; Add 1 0; Sub 599 0; Add 1 0; Sub 601 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 342 656; Mul 339 654; Add 1 0; Add 0 5; Sub 365 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 347 645; Mul 344 643; Add 1 0; Add 0 10; Sub 365 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 352 701; Mul 349 699; Add 1 0; Add 0 15; Sub 611 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 837 639; Mul 837 637; Add 1 0; Sub 750 680; Mul 0 838; Add 0 2; Sub 58 197; Sub 1 198;
   Mul 1 298; Mul 302 1; Sub 1 0; Mul 0 296; Mul 306 4; Mul 6 304; Sub 1 0; Mul 0 300; Mul 4 722;
   Mul 1 720; Add 1 0; Sub 210 0; Add 1 0; Sub 212 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 677; Mul 7 675; Add 1 0; Add 0 5; Sub 78 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 666; Mul 12 664; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 722; Mul 17 720; Add 1 0; Add 0 15; Sub 163 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 318 743; Mul 315 741; Add 1 0; Sub 652 0; Add 1 0; Sub 654 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 324 698; Mul 321 696; Add 1 0; Add 0 5; Sub 418 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 329 687; Mul 326 685; Add 1 0; Add 0 10; Sub 347 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 334 743; Mul 331 741; Add 1 0; Add 0 15; Sub 509 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 893 826; Mul 832 0; Mul 832 1; Add 894 1; Add 895 1; Mul 838 4; Div 899 775; Mul 781 0;
   Mul 781 1; Add 900 1; Add 901 1; Mul 787 4; Sub 8 2; Sub 8 2; Mul 1 1; Mul 1 1; Add 1 0;
   Add 11 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Div 913 773; Mul 779 0; Mul 779 1; Add 914 1; Add 915 1; Mul 785 4; Sub 16 2; Sub 16 2; Mul 1 1;
   Mul 1 1; Add 1 0; Add 19 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Div 927 841; Mul 847 0; Mul 847 1; Add 928 1; Add 929 1; Mul 853 4; Sub 16 2; Sub 16 2; Mul 1 1;
   Mul 1 1; Add 1 0; Add 19 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Sub 10 44; Sub 10 44; Mul 1 1; Mul 1 1; Add 1 0; Add 13 47; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Div 949 793; Mul 799 0; Mul 799 1; Add 950 1; Add 951 1; Mul 805 4; Sub 38 2; Sub 38 2; Mul 1 1;
   Mul 1 1; Add 1 0; Add 41 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Div 963 858; Mul 864 0; Mul 864 1; Add 964 1; Add 965 1; Mul 870 4; Sub 16 2; Sub 16 2; Mul 1 1;
   Mul 1 1; Add 1 0; Add 19 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Sub 10 46; Sub 10 46; Mul 1 1; Mul 1 1; Add 1 0; Add 13 49; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Div 985 810; Mul 816 0; Mul 816 1; Add 986 1; Add 987 1; Mul 822 4; Sub 88 2; Sub 88 2; Mul 1 1;
   Mul 1 1; Add 1 0; Add 91 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Div 999 808; Mul 814 0; Mul 814 1; Add 1000 1; Add 1001 1; Mul 820 4; Sub 16 2; Sub 16 2;
   Mul 1 1; Mul 1 1; Add 1 0; Add 19 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Sub 10 96; Sub 10 96; Mul 1 1; Mul 1 1; Add 1 0; Add 13 99; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Div 1021 814; Mul 820 0; Mul 820 1; Add 1022 1; Add 1023 1; Mul 826 4; Sub 24 2; Sub 24 2;
   Mul 1 1; Mul 1 1; Add 1 0; Add 27 5; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Sub 10 82; Sub 10 82; Mul 1 1; Mul 1 1; Add 1 0; Add 13 85; Mul 0 0; Sub 2 0;
-  ShowZero 0; (* src/construct/transfer/euclidean.rs:88 *)
+  ShowZero 0; (* as src/construct/transfer/euclidean.rs finds *)
   Div 411 976; Div 406 920; Div 401 905; Sub 143 149; Sub 143 149; Sub 3 4; Sub 132 152;
   Sub 132 152; Sub 5 7; Mul 5 1; Mul 5 3; Sub 1 0; Div 1055 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3;
   Mul 13 8; Mul 12 11; Sub 1 0; Mul 0 7; Mul 4 167; Mul 1 167; Add 1 0; Sub 23 0; Add 1 0;
   Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 167; Mul 7 167; Add 1 0; Add 0 5; Sub 29 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 158; Mul 12 158; Add 1 0; Add 0 10; Sub 33 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 404 994; Mul 21 150; Mul 18 150; Add 1 0; Add 0 16; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 189 189; Mul 189 189; Add 1 0; Mul 190 190; Sub 1 0; Mul 0 1090; Mul 189 189; Mul 189 189;
   Add 1 0; Mul 190 190; Sub 1 0; Mul 0 1096; Mul 181 181; Mul 181 181; Add 1 0; Mul 182 182;
   Sub 1 0; Mul 0 1102; Sub 6 12; Sub 1 13; Mul 1 55; Mul 59 1; Sub 1 0; Mul 0 53; Mul 63 4;
   Mul 6 61; Sub 1 0; Mul 0 57; Mul 4 217; Mul 1 217; Add 1 0; Sub 25 0; Add 1 0; Sub 27 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 217; Mul 7 217; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 208; Mul 12 208; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 199 199; Mul 199 199; Add 1 0; Mul 200 200; Sub 1 0; Mul 0 1134; Mul 26 205; Mul 23 205;
   Add 1 0; Add 0 21; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 433 985; Sub 96 61; Sub 190 212; Sub 190 212; Sub 3 64; Mul 212 1; Mul 212 3; Sub 1 0;
   Div 1149 0; Mul 7 5; Mul 216 5; Sub 1 0; Mul 0 3; Mul 220 8; Mul 12 11; Sub 1 0; Mul 0 7;
   Mul 4 227; Mul 1 227; Add 1 0; Sub 80 0; Add 1 0; Sub 82 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 247; Mul 7 247; Add 1 0; Add 0 5; Sub 122 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 216; Mul 12 216; Add 1 0; Add 0 10; Sub 31 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 434 1069; Mul 21 208; Mul 18 208; Add 1 0; Add 0 16; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 227 227; Mul 227 227; Add 1 0; Mul 228 228; Sub 1 0; Mul 0 1184; Sub 82 50; Sub 1 51;
   Mul 1 43; Mul 254 1; Sub 1 0; Mul 0 41; Mul 258 4; Mul 6 49; Sub 1 0; Mul 0 45; Mul 4 265;
   Mul 1 265; Add 1 0; Sub 63 0; Add 1 0; Sub 65 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 285; Mul 7 285; Add 1 0; Add 0 5; Sub 102 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 254; Mul 12 254; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 245 245; Mul 245 245; Add 1 0; Mul 246 246; Sub 1 0; Mul 0 1216; Mul 26 251; Mul 23 251;
   Add 1 0; Add 0 21; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 446 1048; Div 441 1033; Sub 236 322; Sub 236 322; Sub 3 182; Sub 225 325; Sub 225 325;
   Sub 5 185; Mul 5 1; Mul 5 3; Sub 1 0; Div 1234 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8;
   Mul 12 11; Sub 1 0; Mul 0 7; Mul 4 340; Mul 1 340; Add 1 0; Sub 201 0; Add 1 0; Sub 203 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 260; Mul 7 260; Add 1 0; Add 0 5; Sub 29 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 251; Mul 12 251; Add 1 0; Add 0 10; Sub 33 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 342; Mul 17 342; Add 1 0; Add 0 15; Sub 217 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 275 275; Mul 275 275; Add 1 0; Mul 276 276; Sub 1 0; Mul 0 1268; Mul 267 267; Mul 267 267;
   Add 1 0; Mul 268 268; Sub 1 0; Mul 0 1274; Sub 6 178; Sub 1 179; Mul 1 48; Mul 52 1; Sub 1 0;
   Mul 0 46; Mul 56 4; Mul 6 54; Sub 1 0; Mul 0 50; Mul 4 383; Mul 1 383; Add 1 0; Sub 191 0;
   Add 1 0; Sub 193 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 303; Mul 7 303; Add 1 0; Add 0 5; Sub 26 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 294; Mul 12 294; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 385; Mul 17 385; Add 1 0; Add 0 15; Sub 202 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 466 1100; Sub 83 262; Sub 284 392; Sub 284 392; Sub 3 265; Mul 298 1; Mul 298 3; Sub 1 0;
   Div 1315 0; Mul 7 5; Mul 302 5; Sub 1 0; Mul 0 3; Mul 306 8; Mul 12 11; Sub 1 0; Mul 0 7;
   Mul 4 407; Mul 1 407; Add 1 0; Sub 281 0; Add 1 0; Sub 283 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 327; Mul 7 327; Add 1 0; Add 0 5; Sub 109 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 310; Mul 12 310; Add 1 0; Add 0 10; Sub 31 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 387; Mul 17 387; Add 1 0; Add 0 15; Sub 202 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 320 320; Mul 320 320; Add 1 0; Mul 321 321; Sub 1 0; Mul 0 1349; Sub 75 247; Sub 1 248;
   Mul 1 42; Mul 339 1; Sub 1 0; Mul 0 40; Mul 343 4; Mul 6 48; Sub 1 0; Mul 0 44; Mul 4 444;
   Mul 1 444; Add 1 0; Sub 260 0; Add 1 0; Sub 262 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 364; Mul 7 364; Add 1 0; Add 0 5; Sub 95 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 347; Mul 12 347; Add 1 0; Add 0 10; Sub 25 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 424; Mul 17 424; Add 1 0; Add 0 15; Sub 195 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 272 272; Mul 269 269; Add 1 0; Mul 267 1389; Add 1 0; Sub 2 0; Add 1388 0; Div 1389 0;
   Mul 1394 0; Mul 323 0; Neg 0; Mul 0 279; Sub 0 330; Mul 281 4; Sub 1396 8; Mul 0 7; Mul 116 116;
   Mul 113 113; Add 1 0; Mul 111 1405; Add 1 0; Sub 2 0; Add 1404 0; Div 1405 0; Mul 1410 0;
   Mul 160 0; Neg 0; Mul 0 123; Sub 0 167; Mul 125 4; Sub 1412 8; Mul 0 7; Sub 3 19; Sub 6 22;
   Sub 4 20; Sub 3 19; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 28 311; Sub 0 362; Mul 313 32; Mul 15 142; Sub 0 186; Mul 144 19; Sub 1 4; Sub 1 4;
   Mul 13 0; Mul 2 12; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 15; Mul 18 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 78 78; Mul 75 75; Add 1 0; Mul 73 1442; Add 1 0; Sub 2 0; Add 1441 0; Div 1442 0;
   Mul 1447 0; Mul 116 0; Neg 0; Mul 0 85; Sub 0 123; Mul 87 4; Sub 1449 8; Mul 0 7; Sub 3 40;
   Sub 6 43; Sub 4 41; Sub 3 40; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 12 101; Sub 0 139; Mul 103 16; Sub 1 35; Sub 1 35; Mul 10 0; Mul 2 9; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 12; Mul 15 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 277 277; Mul 274 274; Add 1 0; Mul 272 1476; Add 1 0; Sub 2 0; Add 1475 0; Div 1476 0;
   Mul 1481 0; Mul 316 0; Neg 0; Mul 0 284; Sub 0 323; Mul 286 4; Sub 1483 8; Mul 0 7; Sub 3 37;
   Sub 6 40; Sub 4 38; Sub 3 37; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 12 300; Sub 0 339; Mul 302 16; Sub 1 35; Sub 1 35; Mul 10 0; Mul 2 9; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 12; Mul 15 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 108 21; Sub 111 24; Sub 109 22; Sub 108 21; Mul 3 0; Mul 3 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 87 16; Sub 87 16; Mul 7 0; Mul 2 6; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 4 9; Mul 12 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 1248 1260; Sub 1258 0; Add 0 1518; Mul 1239 1263; Sub 1261 0; Add 0 1521; Sub 0 3;
   Mul 1230 1267; Sub 1265 0; Add 0 1525; Sub 0 7; Mul 1220 1271; Sub 1269 0; Add 0 1529; Sub 0 11;
   Mul 1210 1275; Sub 1257 0; Add 0 1533; Sub 0 15; Mul 12 1537; Mul 9 1201; Add 1 0; Mul 7 1202;

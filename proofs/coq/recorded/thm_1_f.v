@@ -44,7 +44,7 @@ Definition part_1_size_1 : list step := [
   Mul 1 102; Add 11 1; Add 11 1; Sub 25 29; Div 24 96; Mul 3 101; Mul 3 101; Add 1 0; Sub 4 0;
   Mul 0 4; Mul 0 123; Mul 0 107; Mul 1 107; Add 11 1; Add 11 1; Sub 48 37; Div 36 103; Mul 3 108;
   Mul 3 108; Add 1 0; Sub 4 0; Mul 0 4; Mul 0 135; Mul 0 114; Add 10 0; Sub 0 88;
-  ShowNonzero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowNonzero 0; (* as a test finds *)
   Mul 46 132; Mul 0 126; Mul 0 120; Mul 0 116; Mul 143 95; Div 0 1; Mul 69 0; Sub 7 0;
   ShowZero 0; (* gap in x *)
   Mul 80 76; Mul 78 76; Sub 1 0; Mul 0 5; Mul 15 128; Add 24 0; Sub 0 102; Sub 0 3;
@@ -89,77 +89,77 @@ Definition part_2_size_4 : list step := [
   Mul 2 2; Add 1 0; Div 34 0; Mul 8 6; Mul 8 6; Add 1 0; Sub 7 0; Mul 0 4; Mul 0 118; Mul 0 12;
   Mul 1 12; Add 16 1; Add 16 1; Sub 122 99; Sub 122 99; Sub 61 49; Mul 2 2; Mul 2 2; Add 1 0;
   Div 51 0; Mul 8 6; Mul 8 6; Add 1 0; Sub 7 0; Mul 0 4; Mul 0 135; Mul 0 12; Add 15 0; Sub 0 79;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 3 14; Add 17 0; Sub 0 81;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Constant 0; Mul 84 84; Mul 84 84; Add 1 0; Mul 68 0; Div 69 147; Mul 1 0; Mul 6 90; Mul 7 90;
   Add 1 0; Add 0 9; Add 4 0; Mul 69 77; Add 1 0; Mul 54 64; Add 1 0; Mul 39 49; Add 1 0;
   Mul 24 34; Add 1 0; Sub 0 8;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 75 75;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 75 75;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 9 9;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 61 61;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 61 61;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 10 10;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 93 105; Div 92 135; Mul 112 140; Mul 112 140; Add 1 0; Sub 4 0; Mul 0 4; Mul 0 176;
   Mul 0 146; Add 119 0; Sub 57 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 3 148; Add 121 0; Sub 59 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 6 13; Add 30 0; Sub 25 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 7 62; Mul 5 62; Add 1 0; Sub 63 0; Mul 0 60; Mul 0 191; Mul 0 68; Add 14 0; Sub 0 135;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 3 70; Add 14 0; Sub 0 137;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 6 72; Add 14 0; Sub 0 46;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 129 137; Div 124 189; Mul 126 193; Mul 196 2; Sub 1 0; Mul 0 3; Mul 200 5; Mul 131 199;
   Sub 1 0; Mul 0 7; Mul 4 210; Mul 1 210; Add 1 0; Sub 150 0; Add 1 0; Sub 152 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 214; Mul 7 214; Add 1 0; Add 0 5; Sub 153 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 217; Mul 12 217; Add 1 0; Add 0 10; Sub 154 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 203; Mul 17 203; Add 1 0; Add 0 15; Sub 155 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 25 173; Mul 22 173; Add 1 0; Sub 81 0; Mul 29 148; Mul 26 148; Add 1 0; Add 0 3; Sub 84 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 34 136; Mul 31 136; Add 1 0; Add 0 8; Sub 87 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 39 67; Mul 36 65; Add 1 0; Add 0 13; Sub 65 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Sub 162 191; Sub 96 98; Mul 245 0; Mul 177 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 168 197; Mul 180 0; Mul 251 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 253 8; Mul 253 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 157 174; Sub 106 108; Mul 174 0; Mul 174 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 163 180; Mul 177 0; Mul 180 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 182 8; Mul 182 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 93 169; Sub 91 118; Mul 169 0; Mul 169 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 101 175; Mul 172 0; Mul 175 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 177 8; Mul 177 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 227 105; Sub 134 103; Mul 164 0; Mul 164 2; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 233 113; Mul 167 0; Mul 170 5; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 172 8; Mul 172 4; Sub 1 0;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 145 221; Add 0 0; Sub 0 155;
   ShowZero 0; (* on Σ *)
   Sub 243 246; Sub 243 246; Mul 1 1; Mul 1 1; Add 1 0; Sub 0 0;
@@ -208,13 +208,13 @@ Definition part_3_size_1 : list step := [
   Div 34 0; Mul 8 6; Mul 8 6; Add 1 0; Sub 7 0; Mul 0 4; Mul 0 86; Mul 0 12; Mul 1 12; Add 16 1;
   Add 16 1; Sub 83 69; Sub 83 69; Sub 66 54; Mul 2 2; Mul 2 2; Add 1 0; Div 51 0; Mul 8 6;
   Mul 8 6; Add 1 0; Sub 7 0; Mul 0 4; Mul 0 103; Mul 0 12; Add 15 0; Sub 0 93;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 3 14; Add 17 0; Sub 0 95;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Constant 0; Mul 98 98; Mul 98 98; Add 1 0; Mul 68 0; Div 69 115; Mul 1 0; Mul 6 104; Mul 7 104;
   Add 1 0; Add 0 9; Add 4 0; Mul 69 80; Add 1 0; Mul 54 64; Add 1 0; Mul 39 49; Add 1 0;
   Mul 24 34; Add 1 0; Sub 0 8;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Unknown 11; Mul 115 0; Mul 132 1; Add 124 1; Add 124 1; Mul 1 128; Mul 1 128; Add 1 0;
   Sub 112 0; Mul 123 133; Mul 140 134; Add 134 1; Add 134 1; Add 129 3; Add 129 3; Mul 11 3;
   Mul 11 3; Add 1 0; Add 0 9; Mul 15 5; Mul 15 5; Add 1 0; Add 0 13; Sub 146 139; Sub 146 139;
@@ -226,89 +226,89 @@ Definition part_3_size_1 : list step := [
   Mul 1 12; Add 16 1; Add 16 1; Sub 190 60; Sub 190 60; Sub 176 53; Mul 2 2; Mul 2 2; Add 1 0;
   Div 165 0; Mul 8 6; Mul 8 6; Add 1 0; Sub 7 0; Mul 0 4; Mul 0 217; Mul 0 12; Add 15 0;
   Sub 0 164;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 3 14; Add 17 0; Sub 0 166;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Mul 57 67; Add 101 0; Mul 42 52; Add 1 0; Mul 27 37; Add 1 0; Mul 12 22; Add 1 0; Sub 0 108;
-  ShowZero 0; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
+  ShowZero 0; (* as a test finds *)
   Sub 177 177;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 177 177;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 111 111;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 163 163;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 163 163;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 112 112;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 217 231; Sub 217 231; Sub 202 214; Mul 2 2; Mul 2 2; Add 1 0; Div 199 0; Mul 233 6;
   Mul 233 6; Add 1 0; Sub 7 0; Mul 0 4; Mul 0 251; Mul 0 12; Add 240 0; Sub 164 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 3 14; Add 242 0; Sub 166 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 6 16; Add 137 0; Sub 132 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 7 169; Mul 5 169; Add 1 0; Sub 170 0; Mul 0 167; Mul 0 266; Mul 0 175; Add 14 0; Sub 0 256;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 3 177; Add 14 0; Sub 0 258;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 6 179; Add 14 0; Sub 0 153;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 263 104; Mul 263 104; Add 1 0; Sub 105 0; Mul 0 102; Mul 0 281; Mul 0 110; Add 270 0;
   Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 3 112; Add 272 0; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 6 114; Add 167 0; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 146 276; Sub 146 276; Sub 139 262; Mul 2 2; Mul 2 2; Add 1 0; Div 251 0; Mul 242 6;
   Mul 242 6; Add 1 0; Sub 7 0; Mul 0 4; Mul 0 303; Mul 0 12; Add 249 0; Mul 22 117; Mul 20 117;
   Add 1 0; Sub 118 0; Mul 0 115; Mul 0 311; Mul 0 123; Add 29 0; Sub 0 8;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 11 22; Add 259 0; Mul 5 127; Add 31 0; Sub 0 2;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 16 26; Add 197 0; Mul 10 131; Add 33 0; Sub 0 2;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 19 119; Mul 9 119; Add 1 0; Sub 120 0; Mul 0 117; Mul 0 330; Mul 0 125; Add 26 0; Sub 0 277;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 3 127; Add 18 0; Sub 0 279;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 6 129; Add 16 0; Sub 0 215;
-  ShowZero 0; (* src/space/point.rs:20 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 320 332; Sub 320 332; Sub 307 315; Mul 303 1; Mul 303 3; Sub 1 0; Div 300 0; Mul 305 5;
   Mul 307 5; Sub 1 0; Mul 0 3; Mul 311 8; Mul 310 11; Sub 1 0; Mul 0 7; Mul 4 347; Mul 1 347;
   Add 1 0; Sub 331 0; Add 1 0; Sub 333 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 346; Mul 7 346; Add 1 0; Add 0 5; Sub 334 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 346; Mul 12 346; Add 1 0; Add 0 10; Sub 335 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 349; Mul 17 349; Add 1 0; Add 0 15; Sub 336 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 25 363; Mul 22 363; Add 1 0; Sub 257 0; Mul 29 324; Mul 26 324; Add 1 0; Add 0 3; Sub 260 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 34 312; Mul 31 312; Add 1 0; Add 0 8; Sub 263 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 39 136; Mul 36 134; Add 1 0; Add 0 13; Sub 134 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Sub 252 380; Sub 252 380; Sub 247 366; Mul 243 1; Mul 243 3; Sub 1 0; Div 355 0; Mul 245 5;
   Mul 247 5; Sub 1 0; Mul 0 3; Mul 251 8; Mul 250 11; Sub 1 0; Mul 0 7; Mul 4 395; Mul 1 395;
   Add 1 0; Sub 382 0; Add 1 0; Sub 384 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 408; Mul 7 408; Add 1 0; Add 0 5; Sub 393 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 278; Mul 12 278; Add 1 0; Add 0 10; Sub 275 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 20 281; Mul 17 281; Add 1 0; Add 0 15; Sub 276 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 25 375; Mul 22 375; Add 1 0; Sub 310 0; Mul 29 422; Mul 26 422; Add 1 0; Add 0 3; Sub 317 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 34 156; Mul 31 154; Add 1 0; Add 0 8; Sub 154 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Mul 39 139; Mul 36 129; Add 1 0; Add 0 13; Sub 127 0;
-  ShowZero 0; (* src/pair/f_parallel.rs:65 *)
+  ShowZero 0; (* as src/pair/f_parallel.rs finds *)
   Sub 394 437; Sub 394 437; Mul 1 411; Mul 1 413; Sub 1 0;
   ShowZero 0; (* across the edge *)
   Sub 442 445; Sub 442 445; Sub 401 447; Sub 401 447; Add 3 1; Add 3 1; Mul 1 421; Mul 1 421;

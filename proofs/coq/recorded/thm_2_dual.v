@@ -38,18 +38,14 @@ Definition part_1_size_1 : list step := [
   Mul 1 0; Mul 37 1; Sub 5 1; Sub 5 1; Sub 34 34; Sub 12 4; Sub 12 4; Mul 4 0; Mul 4 2; Sub 1 0;
   Constant 1; Div 0 1; Mul 7 5; Mul 9 8; Sub 1 0; Mul 0 3; Mul 13 11; Mul 12 11; Sub 1 0; Mul 0 7;
   Mul 4 19; Mul 1 19; Add 1 0; Sub 53 0; Add 1 0; Sub 55 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 29; Mul 7 29; Add 1 0; Add 0 5; Sub 60 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 38; Mul 12 38; Add 1 0; Add 0 10; Sub 65 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 101 88; Sub 101 88; Neg 0; Div 70 62; Mul 1 0; Mul 4 1; Mul 26 1; Mul 23 1; Add 1 0;
   Add 0 21; Sub 76 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 21; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 16; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 11; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 6 77; Sub 6 78; Sub 79 80; Sub 57 80; Sub 57 81; Mul 4 0; Mul 4 2; Sub 1 0; Div 44 0;
   Mul 6 4; Mul 8 7; Sub 1 0; Mul 0 3; Mul 12 10; Mul 11 10; Sub 1 0; Mul 0 7; Mul 4 94; Mul 1 95;
   Add 1 0; Sub 98 0; Neg 0; Sub 72 99; Sub 72 100; Mul 20 0; Mul 20 2; Sub 1 0; Div 63 0;
@@ -59,19 +55,15 @@ Definition part_1_size_1 : list step := [
   Mul 4 132; Mul 1 133; Add 1 0; Sub 136 0; Neg 0; Sub 28 47; Sub 25 44; Sub 21 40; Sub 12 50;
   Sub 9 47; Sub 5 43; Mul 5 1; Mul 5 3; Sub 1 0; Div 105 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3;
   Mul 13 8; Mul 12 11; Sub 1 0; Mul 0 7; Mul 4 65; Mul 1 62; Add 1 0; Sub 59 0; Add 1 0; Sub 61 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 52; Mul 7 49; Add 1 0; Add 0 5; Sub 47 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 38; Mul 12 35; Add 1 0; Add 0 10; Sub 33 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 52 92; Mul 52 94; Sub 1 0; Div 133 0; Mul 95 96; Mul 56 96; Sub 1 0; Mul 0 3; Mul 60 99;
   Mul 100 102; Sub 1 0; Mul 0 7; Mul 4 183; Mul 1 184; Add 1 0; Sub 187 0; Neg 0; Mul 37 9;
   Mul 34 6; Add 1 0; Add 0 32; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 32; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 27; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 22; (* src/mesh/face_plane.rs:61 *)
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 103 103;
   ShowZero 0; (* top view of a pole *)
   Sub 100 100;

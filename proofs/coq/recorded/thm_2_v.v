@@ -40,50 +40,50 @@ Definition part_1_size_1 : list step := [
   Mul 6 6; Mul 56 56; Add 1 0; Div 3 0; Mul 10 0; Mul 60 1; Add 14 1; Add 14 1; Neg 68; Sub 80 2;
   Sub 80 2; Mul 2 1; Mul 73 1; Add 1 0; Mul 109 0; Mul 6 6; Mul 77 77; Add 1 0; Div 3 0; Mul 10 0;
   Add 13 0; Sub 0 59;
-  ShowZero 0; (* src/space/point.rs:11 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 83 3; Add 15 0; Sub 0 61;
-  ShowZero 0; (* src/space/point.rs:11 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 16 60; Mul 87 60; Add 1 0; Mul 123 0; Div 0 11; Mul 21 0; Add 69 0; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:11 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 94 3; Add 71 0; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:11 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 107 103; Sub 107 103; Neg 0; Sub 106 77; Sub 106 77; Mul 2 1; Mul 5 1; Add 1 0; Mul 139 0;
   Mul 6 6; Mul 9 9; Add 1 0; Div 3 0; Mul 10 0; Add 88 0; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:11 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 15 3; Add 90 0; Sub 0 0;
-  ShowZero 0; (* src/space/point.rs:11 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 126 118; Sub 126 118; Neg 0; Sub 121 26; Sub 121 24; Mul 2 1; Mul 5 1; Add 1 0; Mul 158 0;
   Mul 6 6; Mul 9 9; Add 1 0; Div 3 0; Mul 10 0; Add 37 0; Sub 141 135; Sub 141 135; Neg 0;
   Sub 138 22; Sub 138 20; Mul 2 1; Mul 5 1; Add 1 0; Mul 173 0; Mul 6 6; Mul 9 9; Add 1 0;
   Div 3 0; Mul 10 0; Add 33 0; Sub 0 15;
-  ShowZero 0; (* src/space/point.rs:11 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 30 18; Add 52 0; Mul 17 5; Add 35 0; Sub 0 2;
-  ShowZero 0; (* src/space/point.rs:11 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 154 21; Sub 154 4; Mul 35 1; Mul 38 1; Add 1 0; Mul 191 0; Div 0 30; Mul 40 0; Add 29 0;
   Sub 0 68;
-  ShowZero 0; (* src/space/point.rs:11 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Mul 45 3; Add 14 0; Sub 0 68;
-  ShowZero 0; (* src/space/point.rs:11 *)
+  ShowZero 0; (* as src/space/point.rs finds *)
   Sub 175 175;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 175 175;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 175 175;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 175 175;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 175 175;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 175 175;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 175 175;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 175 175;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 175 175;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 175 175;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Constant 1; Constant 0; Mul 65 65; Mul 63 63; Add 1 0; Mul 4 0; Div 5 215; Mul 1 0; Mul 6 71;
   Mul 7 69; Add 1 0; Add 0 9; Add 4 0; Mul 76 12; Mul 74 13; Add 13 1; Add 14 1; Mul 1 80;
   Mul 1 78; Add 1 0; Sub 7 0; Mul 5 202; Mul 5 202; Add 1 0; Add 0 3; Mul 107 107; Mul 105 105;

@@ -169,15 +169,15 @@ Definition part_2_size_4 : list step := [
   Sub 1 0; Mul 0 12; Sub 30 39; Sub 30 39; Sub 8 14; Sub 25 42; Sub 25 42; Sub 5 17; Mul 5 1;
   Mul 5 3; Sub 1 0; Div 78 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11; Sub 1 0;
   Mul 0 7; Mul 4 57; Mul 1 57; Add 1 0; Sub 33 0; Add 1 0; Sub 35 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 54; Mul 7 54; Add 1 0; Add 0 5; Sub 34 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 51; Mul 12 51; Add 1 0; Add 0 10; Sub 33 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 105 87; Sub 104 89; Mul 0 1; Add 98 92; Mul 0 3; Add 85 2; Add 85 1; Sub 96 102; Mul 0 7;
   Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 61; Mul 35 9; Mul 32 9; Add 1 0; Add 0 30;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 40 100;
   ShowZero 0; (* centre of the incircle *)
   Sub 37 100;
@@ -292,19 +292,19 @@ Definition part_2_size_5 : list step := [
   Sub 1 0; Mul 0 12; Sub 30 39; Sub 30 39; Sub 8 14; Sub 25 42; Sub 25 42; Sub 5 17; Mul 5 1;
   Mul 5 3; Sub 1 0; Div 86 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11; Sub 1 0;
   Mul 0 7; Mul 4 57; Mul 1 57; Add 1 0; Sub 33 0; Add 1 0; Sub 35 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 54; Mul 7 54; Add 1 0; Add 0 5; Sub 34 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 51; Mul 12 51; Add 1 0; Add 0 10; Sub 33 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 113 95; Sub 112 97; Mul 0 1; Add 106 100; Mul 0 3; Add 85 2; Add 85 1; Sub 104 110; Mul 0 7;
   Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 61; Mul 35 9; Mul 32 9; Add 1 0; Add 0 30;
   Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 133 109; Sub 132 111; Mul 0 1; Add 120 114; Mul 0 3; Add 105 2; Add 105 1; Sub 118 124;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 81; Mul 55 9; Mul 52 9; Add 1 0;
   Add 0 50; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 60 120;
   ShowZero 0; (* centre of the incircle *)
   Sub 57 120;
@@ -431,23 +431,23 @@ Definition part_2_size_6 : list step := [
   Sub 1 0; Mul 0 12; Sub 30 39; Sub 30 39; Sub 8 14; Sub 25 42; Sub 25 42; Sub 5 17; Mul 5 1;
   Mul 5 3; Sub 1 0; Div 92 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11; Sub 1 0;
   Mul 0 7; Mul 4 57; Mul 1 57; Add 1 0; Sub 33 0; Add 1 0; Sub 35 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 54; Mul 7 54; Add 1 0; Add 0 5; Sub 34 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 51; Mul 12 51; Add 1 0; Add 0 10; Sub 33 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 119 101; Sub 118 103; Mul 0 1; Add 112 106; Mul 0 3; Add 85 2; Add 85 1; Sub 110 116;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 61; Mul 35 9; Mul 32 9; Add 1 0;
   Add 0 30; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 139 115; Sub 138 117; Mul 0 1; Add 126 120; Mul 0 3; Add 105 2; Add 105 1; Sub 124 130;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 81; Mul 55 9; Mul 52 9; Add 1 0;
   Add 0 50; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 159 129; Sub 158 131; Mul 0 1; Add 140 134; Mul 0 3; Add 125 2; Add 125 1; Sub 138 144;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 101; Mul 75 9; Mul 72 9; Add 1 0;
   Add 0 70; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 80 140;
   ShowZero 0; (* centre of the incircle *)
   Sub 77 140;
@@ -592,27 +592,27 @@ Definition part_2_size_7 : list step := [
   Sub 1 0; Mul 0 12; Sub 30 39; Sub 30 39; Sub 8 14; Sub 25 42; Sub 25 42; Sub 5 17; Mul 5 1;
   Mul 5 3; Sub 1 0; Div 98 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11; Sub 1 0;
   Mul 0 7; Mul 4 57; Mul 1 57; Add 1 0; Sub 33 0; Add 1 0; Sub 35 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 54; Mul 7 54; Add 1 0; Add 0 5; Sub 34 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 51; Mul 12 51; Add 1 0; Add 0 10; Sub 33 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 125 107; Sub 124 109; Mul 0 1; Add 118 112; Mul 0 3; Add 85 2; Add 85 1; Sub 116 122;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 61; Mul 35 9; Mul 32 9; Add 1 0;
   Add 0 30; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 145 121; Sub 144 123; Mul 0 1; Add 132 126; Mul 0 3; Add 105 2; Add 105 1; Sub 130 136;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 81; Mul 55 9; Mul 52 9; Add 1 0;
   Add 0 50; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 165 135; Sub 164 137; Mul 0 1; Add 146 140; Mul 0 3; Add 125 2; Add 125 1; Sub 144 150;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 101; Mul 75 9; Mul 72 9; Add 1 0;
   Add 0 70; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 185 149; Sub 184 151; Mul 0 1; Add 160 154; Mul 0 3; Add 145 2; Add 145 1; Sub 158 164;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 121; Mul 95 9; Mul 92 9; Add 1 0;
   Add 0 90; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 100 160;
   ShowZero 0; (* centre of the incircle *)
   Sub 97 160;
@@ -775,31 +775,31 @@ Definition part_2_size_8 : list step := [
   Sub 1 0; Mul 0 12; Sub 30 39; Sub 30 39; Sub 8 14; Sub 25 42; Sub 25 42; Sub 5 17; Mul 5 1;
   Mul 5 3; Sub 1 0; Div 104 0; Mul 7 5; Mul 9 5; Sub 1 0; Mul 0 3; Mul 13 8; Mul 12 11; Sub 1 0;
   Mul 0 7; Mul 4 57; Mul 1 57; Add 1 0; Sub 33 0; Add 1 0; Sub 35 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 10 54; Mul 7 54; Add 1 0; Add 0 5; Sub 34 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Mul 15 51; Mul 12 51; Add 1 0; Add 0 10; Sub 33 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 131 113; Sub 130 115; Mul 0 1; Add 124 118; Mul 0 3; Add 85 2; Add 85 1; Sub 122 128;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 61; Mul 35 9; Mul 32 9; Add 1 0;
   Add 0 30; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 151 127; Sub 150 129; Mul 0 1; Add 138 132; Mul 0 3; Add 105 2; Add 105 1; Sub 136 142;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 81; Mul 55 9; Mul 52 9; Add 1 0;
   Add 0 50; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 171 141; Sub 170 143; Mul 0 1; Add 152 146; Mul 0 3; Add 125 2; Add 125 1; Sub 150 156;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 101; Mul 75 9; Mul 72 9; Add 1 0;
   Add 0 70; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 191 155; Sub 190 157; Mul 0 1; Add 166 160; Mul 0 3; Add 145 2; Add 145 1; Sub 164 170;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 121; Mul 95 9; Mul 92 9; Add 1 0;
   Add 0 90; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Div 211 169; Sub 210 171; Mul 0 1; Add 180 174; Mul 0 3; Add 165 2; Add 165 1; Sub 178 184;
   Mul 0 7; Mul 3 3; Mul 3 3; Add 1 0; Mul 3 3; Sub 1 0; Mul 0 141; Mul 115 9; Mul 112 9; Add 1 0;
   Add 0 110; Sub 4 0;
-  ShowZero 0; (* src/mesh/face_plane.rs:61 *)
+  ShowZero 0; (* as src/mesh/face_plane.rs finds *)
   Sub 120 180;
   ShowZero 0; (* centre of the incircle *)
   Sub 117 180;

@@ -34,29 +34,21 @@ Definition part_1_size_3 : list step := [
   Constant 4; Div 39 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 70 70;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 70 70;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 70 70;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 70 70;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 70 70;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 70 70;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 63 63;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 63 63;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 12; Unknown 13; Unknown 14; Unknown 15; Unknown 16; Sub 3 4; Sub 3 5; Mul 1 76;
   Mul 79 1; Sub 1 0; Mul 0 58; Mul 83 4; Mul 6 82; Sub 1 0; Mul 0 62; Sub 11 14; Mul 9 78;
   Mul 86 1; Sub 1 0; Mul 0 57; Mul 90 4; Mul 14 84; Sub 1 0; Mul 0 61; Mul 8 95; Mul 87 19;
@@ -106,35 +98,25 @@ Definition part_1_size_4 : list step := [
   Div 55 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 94 94;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 94 94;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 94 94;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 94 94;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 94 94;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 94 94;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 87 87;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 87 87;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 82 82;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 82 82;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 9; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 15; Unknown 16; Unknown 17; Unknown 18; Unknown 19; Unknown 20; Sub 4 5; Sub 4 6;
   Mul 1 103; Mul 106 1; Sub 1 0; Mul 0 77; Mul 110 4; Mul 6 109; Sub 1 0; Mul 0 81; Sub 12 15;
   Mul 9 105; Mul 113 1; Sub 1 0; Mul 0 76; Mul 117 4; Mul 14 111; Sub 1 0; Mul 0 80; Sub 20 24;
@@ -189,28 +171,19 @@ Definition part_2_size_3 : list step := [
   Mul 3 2; Sub 1 0; Add 87 0; Mul 0 97; Constant 4; Div 38 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 92 92;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 89 89;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 89 89;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 86 86;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 86 86;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 75 75;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 75 75;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 107 95; Mul 107 95; Add 1 0; Mul 108 93; Mul 108 93; Add 1 0; Mul 109 83; Mul 109 83;
   Add 1 0; Unknown 10; Sub 1 109; Sub 8 110; Mul 1 99; Mul 87 1; Sub 1 0; Mul 0 61; Mul 91 4;
   Mul 6 105; Sub 1 0; Mul 0 65; Sub 14 119; Mul 9 106; Mul 109 1; Sub 1 0; Mul 0 60; Mul 113 4;
@@ -267,34 +240,23 @@ Definition part_2_size_4 : list step := [
   Sub 9 38; Mul 7 0; Mul 7 2; Sub 1 0; Add 5 0; Mul 0 143; Constant 4; Div 54 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 129 129;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 126 126;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 126 126;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 123 123;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 123 123;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 114 114;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 114 114;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 107 107;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 107 107;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 155 134; Mul 155 134; Add 1 0; Mul 145 132; Mul 145 132; Add 1 0; Mul 159 124; Mul 159 124;
   Add 1 0; Mul 160 118; Mul 160 118; Add 1 0; Unknown 14; Sub 1 151; Sub 11 152; Mul 1 141;
   Mul 122 1; Sub 1 0; Mul 0 82; Mul 126 4; Mul 6 147; Sub 1 0; Mul 0 86; Sub 17 161; Mul 9 148;
@@ -363,40 +325,27 @@ Definition part_2_size_5 : list step := [
   Add 5 0; Mul 0 180; Constant 4; Div 70 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 164 164;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 161 161;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 161 161;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 158 158;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 158 158;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 147 147;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 147 147;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 140 140;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 140 140;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 133 133;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 133 133;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 10; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 10; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 9; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 194 171; Mul 194 171; Add 1 0; Mul 184 169; Mul 184 169; Add 1 0; Mul 185 159; Mul 185 159;
   Add 1 0; Mul 201 153; Mul 201 153; Add 1 0; Mul 202 147; Mul 202 147; Add 1 0; Unknown 18;
   Sub 1 191; Sub 14 192; Mul 1 181; Mul 151 1; Sub 1 0; Mul 0 103; Mul 155 4; Mul 6 187; Sub 1 0;
@@ -477,46 +426,31 @@ Definition part_2_size_6 : list step := [
   Mul 0 217; Constant 4; Div 86 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 201 201;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 198 198;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 198 198;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 195 195;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 195 195;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 182 182;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 182 182;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 173 173;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 173 173;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 166 166;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 166 166;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 159 159;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 159 159;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 12; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 12; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 11; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 10; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 9; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 233 210; Mul 233 210; Add 1 0; Mul 223 208; Mul 223 208; Add 1 0; Mul 224 196; Mul 224 196;
   Add 1 0; Mul 205 188; Mul 205 188; Add 1 0; Mul 243 182; Mul 243 182; Add 1 0; Mul 244 176;
   Mul 244 176; Add 1 0; Unknown 22; Sub 1 233; Sub 17 234; Mul 1 223; Mul 180 1; Sub 1 0;
@@ -609,52 +543,35 @@ Definition part_2_size_7 : list step := [
   Div 102 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 238 238;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 235 235;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 235 235;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 232 232;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 232 232;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 219 219;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 219 219;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 208 208;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 208 208;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 199 199;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 199 199;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 192 192;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 192 192;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 185 185;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 185 185;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 14; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 14; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 13; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 12; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 11; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 10; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 9; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 272 249; Mul 272 249; Add 1 0; Mul 262 247; Mul 262 247; Add 1 0; Mul 263 235; Mul 263 235;
   Add 1 0; Mul 244 225; Mul 244 225; Add 1 0; Mul 234 217; Mul 234 217; Add 1 0; Mul 285 211;
   Mul 285 211; Add 1 0; Mul 286 205; Mul 286 205; Add 1 0; Unknown 26; Sub 1 275; Sub 20 276;
@@ -758,58 +675,39 @@ Definition part_2_size_8 : list step := [
   Sub 33 102; Mul 7 0; Mul 7 2; Sub 1 0; Add 5 0; Mul 0 291; Constant 4; Div 118 0; Mul 2 0;
   Nonzero 0; (* D(s) != 0 *)
   Sub 275 275;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 272 272;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 272 272;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 269 269;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 269 269;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 256 256;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 256 256;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 245 245;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 245 245;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 234 234;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 234 234;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 225 225;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 225 225;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 218 218;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 218 218;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 211 211;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 211 211;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 16; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 16; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 15; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 14; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 13; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 12; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 11; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 10; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 9; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Mul 311 288; Mul 311 288; Add 1 0; Mul 301 286; Mul 301 286; Add 1 0; Mul 302 274; Mul 302 274;
   Add 1 0; Mul 283 264; Mul 283 264; Add 1 0; Mul 273 254; Mul 273 254; Add 1 0; Mul 263 246;
   Mul 263 246; Add 1 0; Mul 327 240; Mul 327 240; Add 1 0; Mul 328 234; Mul 328 234; Add 1 0;

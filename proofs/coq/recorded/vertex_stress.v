@@ -34,64 +34,24 @@ Definition part_1_size_3 : list step := [
   Mul 10 10; Mul 10 10; Add 1 0;
   Nonzero 0; (* no edge of the star has length 0 *)
   Sub 31 31;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 31 31;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 31 31;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 31 31;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 31 31;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 31 31;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 21 21;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 21 21;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowNonzero 27; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
-  ShowNonzero 17; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
-  ShowNonzero 11; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
+  ShowNonzero 27; (* as a test finds *)
+  ShowNonzero 17; (* as a test finds *)
+  ShowNonzero 11; (* as a test finds *)
   Unknown 8; Unknown 9; Unknown 10; Unknown 11; Unknown 12; Unknown 13; Unknown 14; Unknown 15;
   Sub 6 7; Sub 6 8; Constant 1; Div 0 38; Mul 3 42; Mul 45 3; Sub 1 0; Mul 0 3; Mul 49 6;
   Mul 8 48; Sub 1 0; Mul 0 7; Sub 16 19; Div 10 38; Mul 12 42; Mul 53 2; Sub 1 0; Mul 0 3;
@@ -181,79 +141,29 @@ Definition part_1_size_4 : list step := [
   Mul 10 10; Mul 10 10; Add 1 0;
   Nonzero 0; (* no edge of the star has length 0 *)
   Sub 41 41;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 41 41;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 41 41;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 41 41;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 41 41;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 41 41;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 31 31;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 31 31;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 23 23;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 23 23;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 9; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowNonzero 39; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
-  ShowNonzero 29; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
-  ShowNonzero 19; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
-  ShowNonzero 13; (* /rustc/59807616e1fa2540724bfbac14d7976d7e4a3860/library/core/src/ops/function.rs:166 *)
-  ShowZero 9; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 9; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 9; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 9; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 8; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 7; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 6; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 5; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 4; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 3; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 2; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 1; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
+  ShowNonzero 39; (* as a test finds *)
+  ShowNonzero 29; (* as a test finds *)
+  ShowNonzero 19; (* as a test finds *)
+  ShowNonzero 13; (* as a test finds *)
   Unknown 10; Unknown 11; Unknown 12; Unknown 13; Unknown 14; Unknown 15; Unknown 16; Unknown 17;
   Unknown 18; Unknown 19; Sub 8 9; Sub 8 10; Constant 1; Div 0 52; Mul 3 56; Mul 59 3; Sub 1 0;
   Mul 0 3; Mul 63 6; Mul 8 62; Sub 1 0; Mul 0 7; Sub 18 21; Div 10 52; Mul 12 56; Mul 67 2;
@@ -356,20 +266,19 @@ Definition part_2_size_3 : list step := [
   Mul 10 10; Mul 10 10; Add 1 0;
   Nonzero 0; (* no edge of the star has length 0 *)
   Sub 40 40;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 37 37;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 37 37;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 34 34;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 34 34;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 20 20;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 20 20;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 9; Mul 47 0; Mul 47 1; Add 50 1; Add 51 1; Mul 46 4; Mul 46 5; Add 3 1; Add 3 1;
   Mul 64 52; Mul 64 52; Add 1 0; Mul 65 50; Mul 65 50; Add 1 0; Mul 66 37; Mul 66 37; Add 1 0;
   Mul 65 61; Mul 66 61; Add 1 0; Mul 17 59; Mul 17 59; Add 1 0; Mul 16 46; Mul 16 46; Add 1 0;
@@ -431,24 +340,23 @@ Definition part_2_size_4 : list step := [
   Mul 10 10; Mul 10 10; Add 1 0;
   Nonzero 0; (* no edge of the star has length 0 *)
   Sub 50 50;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 47 47;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 47 47;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 44 44;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 44 44;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 32 32;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 32 32;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 22 22;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 22 22;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 12; Unknown 13; Mul 60 1; Mul 60 2; Add 63 1; Add 64 1; Mul 59 4; Mul 59 5; Add 3 1;
   Add 3 1; Sub 69 1; Sub 70 1; Mul 1 79; Mul 1 81; Sub 1 0; Div 0 79; Mul 86 0; Mul 86 1; Add 9 1;
   Add 9 1; Mul 96 75; Mul 96 75; Add 1 0; Mul 86 73; Mul 86 73; Add 1 0; Mul 100 62; Mul 100 62;
@@ -522,28 +430,27 @@ Definition part_2_size_5 : list step := [
   Mul 10 10; Mul 10 10; Add 1 0;
   Nonzero 0; (* no edge of the star has length 0 *)
   Sub 64 64;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 61 61;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 61 61;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 58 58;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 58 58;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 44 44;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 44 44;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 34 34;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 34 34;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 24 24;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 24 24;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 15; Unknown 16; Unknown 17; Mul 77 2; Mul 77 3; Add 80 1; Add 81 1; Mul 76 5; Mul 76 6;
   Add 3 1; Add 3 1; Mul 64 8; Mul 64 9; Add 3 1; Add 3 1; Sub 90 1; Sub 91 1; Mul 1 102;
   Mul 1 104; Sub 1 0; Div 0 102; Mul 109 0; Mul 109 1; Add 9 1; Add 9 1; Mul 119 96; Mul 119 96;
@@ -634,32 +541,31 @@ Definition part_2_size_6 : list step := [
   Mul 10 10; Mul 10 10; Add 1 0;
   Nonzero 0; (* no edge of the star has length 0 *)
   Sub 80 80;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 77 77;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 77 77;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 74 74;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 74 74;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 58 58;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 58 58;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 46 46;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 46 46;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 36 36;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 36 36;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 26 26;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 26 26;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 18; Unknown 19; Unknown 20; Unknown 21; Mul 96 3; Mul 96 4; Add 99 1; Add 100 1;
   Mul 95 6; Mul 95 7; Add 3 1; Add 3 1; Mul 81 9; Mul 81 10; Add 3 1; Add 3 1; Mul 71 12;
   Mul 71 13; Add 3 1; Add 3 1; Sub 113 1; Sub 114 1; Mul 1 125; Mul 1 127; Sub 1 0; Div 0 125;
@@ -762,36 +668,35 @@ Definition part_2_size_7 : list step := [
   Mul 10 10; Mul 10 10; Add 1 0;
   Nonzero 0; (* no edge of the star has length 0 *)
   Sub 96 96;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 93 93;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 93 93;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 90 90;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 90 90;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 74 74;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 74 74;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 60 60;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 60 60;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 48 48;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 48 48;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 38 38;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 38 38;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 28 28;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 28 28;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 21; Unknown 22; Unknown 23; Unknown 24; Unknown 25; Mul 115 4; Mul 115 5; Add 118 1;
   Add 119 1; Mul 114 7; Mul 114 8; Add 3 1; Add 3 1; Mul 100 10; Mul 100 11; Add 3 1; Add 3 1;
   Mul 88 13; Mul 88 14; Add 3 1; Add 3 1; Mul 78 16; Mul 78 17; Add 3 1; Add 3 1; Sub 136 1;
@@ -906,40 +811,39 @@ Definition part_2_size_8 : list step := [
   Mul 10 10; Mul 10 10; Add 1 0;
   Nonzero 0; (* no edge of the star has length 0 *)
   Sub 112 112;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 109 109;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 109 109;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 106 106;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 106 106;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 90 90;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 90 90;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 76 76;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 76 76;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 62 62;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 62 62;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 50 50;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 50 50;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 40 40;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 40 40;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 30 30;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Sub 30 30;
-  ShowZero 0; (* src/pair/v_parallel.rs:62 *)
+  ShowZero 0; (* as src/pair/v_parallel.rs finds *)
   Unknown 24; Unknown 25; Unknown 26; Unknown 27; Unknown 28; Unknown 29; Mul 134 5; Mul 134 6;
   Add 137 1; Add 138 1; Mul 133 8; Mul 133 9; Add 3 1; Add 3 1; Mul 119 11; Mul 119 12; Add 3 1;
   Add 3 1; Mul 107 14; Mul 107 15; Add 3 1; Add 3 1; Mul 95 17; Mul 95 18; Add 3 1; Add 3 1;

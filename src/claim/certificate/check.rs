@@ -7,6 +7,19 @@ use super::super::decide::Undecided;
 use super::{Script, Step};
 use crate::scalar::{Instruction, NodeId, Polynomial, Quotient, Quotients, TooLarge};
 
+/// Something that vanishes since a relation does: `numerator = cofactor · relation`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Combination {
+    /// What vanishes.
+    pub says: String,
+    /// Its numerator.
+    pub numerator: Polynomial,
+    /// The number of the relation.
+    pub relation: usize,
+    /// The quotient of both.
+    pub cofactor: Polynomial,
+}
+
 /// What a script needs beyond its steps.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Findings {
@@ -16,6 +29,10 @@ pub struct Findings {
     pub integers: BTreeSet<i64>,
     /// The same, where all hypotheses are kept.
     pub missing: BTreeSet<i64>,
+    /// The numerators of the relations.
+    pub relations: Vec<Polynomial>,
+    /// What vanishes by a relation.
+    pub combinations: Vec<Combination>,
 }
 
 /// Why a script is not accepted.
@@ -66,6 +83,7 @@ struct Checker {
     /// Numerators that are not zero, with their contents.
     stated: Vec<(i128, Polynomial)>,
     relations: Vec<Polynomial>,
+    combinations: Vec<Combination>,
     used: BTreeSet<usize>,
     /// The primes that must not vanish, and how many hypotheses there were when one was needed first.
     primes: BTreeMap<i64, usize>,
@@ -112,13 +130,20 @@ impl Checker {
     }
 
     /// Whether a function is zero or a multiple of a relation.
-    fn vanishes(&self, numerator: &Polynomial) -> Result<bool, TooLarge> {
-        for relation in &self.relations {
-            if !relation.is_zero() && numerator.exact_quotient(relation)?.is_some() {
+    fn vanishes(&mut self, numerator: &Polynomial, says: &str) -> Result<bool, TooLarge> {
+        if numerator.is_zero() {
+            return Ok(true);
+        }
+        for (n, relation) in self.relations.iter().enumerate() {
+            if !relation.is_zero()
+                && let Some(cofactor) = numerator.exact_quotient(relation)?
+            {
+                let (says, numerator) = (says.to_string(), numerator.clone());
+                self.combinations.push(Combination { says, numerator, relation: n, cofactor });
                 return Ok(true);
             }
         }
-        Ok(numerator.is_zero())
+        Ok(false)
     }
 
     fn step(&mut self, step: &Step) -> Result<(), Refused> {
@@ -148,7 +173,7 @@ impl Checker {
                 }
             }
             Step::ShowZero(node, says) => {
-                if !self.vanishes(&self.numerator(*node))? {
+                if !self.vanishes(&self.numerator(*node), says)? {
                     return Err(Refused::NotZero(says.clone()));
                 }
             }
@@ -186,13 +211,14 @@ impl Script {
         for step in &self.steps {
             checker.step(step)?;
         }
-        let Checker { stated, used, primes, .. } = checker;
+        let Checker { stated, used, primes, relations, combinations, .. } = checker;
         let unsaid = |kept: &dyn Fn(usize) -> bool| {
             let says = |n: usize, prime: i64| kept(n) && stated[n].0 % i128::from(prime) == 0;
             let unsaid = primes.iter().filter(|(p, before)| !(0..**before).any(|n| says(n, **p)));
             unsaid.map(|(prime, _)| *prime).collect()
         };
-        Ok(Findings { integers: unsaid(&|n| used.contains(&n)), missing: unsaid(&|_| true), used })
+        let (integers, missing) = (unsaid(&|n| used.contains(&n)), unsaid(&|_| true));
+        Ok(Findings { used, integers, missing, relations, combinations })
     }
 
     /// Whether the checker accepts it as it stands.

@@ -5,11 +5,12 @@
 //! that the goals vanish. `proofs/coq/program` has the checker that proves it, with its own proof;
 //! [`Script::check`] decides the same in the same way.
 
+mod algebra;
 mod check;
 mod coq;
 mod manifest;
 mod script;
 
-pub use check::{Findings, Refused};
+pub use check::{Combination, Findings, Refused};
 pub use coq::{Certificate, Part, certificate};
 pub use script::{Script, Step};

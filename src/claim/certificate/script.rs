@@ -1,9 +1,9 @@
 //! A recorded run in the order of a proof: hypotheses first, then what is shown.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use super::super::Evidence;
-use super::super::decide::{Record, Undecided, place};
+use super::super::decide::{Record, Undecided, is_library, place};
 use crate::scalar::{Instruction, NodeId, Outcome};
 
 /// One step of a [`Script`]. Nodes are numbered in the order of the computations.
@@ -81,6 +81,12 @@ impl Writer<'_> {
     }
 }
 
+/// What a test says of itself: lines of the source move, its files hardly do.
+fn asked_by(file: &str) -> String {
+    let file = file.replace('\\', "/");
+    if is_library(&file) { format!("as {file} finds") } else { "as a test finds".into() }
+}
+
 impl Script {
     /// The script of a piece of evidence at one size, with the hypotheses that are needed.
     ///
@@ -127,20 +133,23 @@ impl Script {
             hypotheses.chain(record.relations.iter().map(|r| r.1)).collect();
         let mut obligations = Vec::new();
         for branch in record.program.branches() {
-            let at = place(branch.place);
             if matches!(branch.outcome, Outcome::Sign(_)) {
-                return Err(Undecided::Order(at));
+                return Err(Undecided::Order(place(branch.place)));
             }
             if shown.insert(branch.node) {
-                obligations.push((branch.node, branch.outcome == Outcome::Zero, at));
+                let zero = branch.outcome == Outcome::Zero;
+                obligations.push((branch.node, zero, asked_by(branch.place.file())));
             }
         }
         let goals = record.goals.iter().map(|(name, node)| (*node, true, name.clone()));
         obligations.extend(goals);
+        let mut written = HashSet::new();
         for (node, zero, says) in obligations {
             let node = writer.node(node);
-            let step = if zero { Step::ShowZero } else { Step::ShowNonzero };
-            writer.steps.push(step(node, says));
+            if written.insert((node, zero, says.clone())) {
+                let step = if zero { Step::ShowZero } else { Step::ShowNonzero };
+                writer.steps.push(step(node, says));
+            }
         }
         let nodes: Vec<NodeId> = writer.places.keys().copied().collect();
         let files = record.files(&nodes);

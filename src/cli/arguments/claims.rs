@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand};
+use clap::{Args, Subcommand, ValueEnum};
 
 use crate::claim::Seed;
 
@@ -57,16 +57,32 @@ pub struct VerifyOptions {
 /// Write what is decided of claims as programs for a checker that is not ours
 ///
 /// For Coq: one file for each claim, with the recorded operations, the hypotheses and the goals, to
-/// be checked by `coqc -Q proofs/coq Isogeo FILE`.
+/// be checked by `coqc -Q proofs/coq Isogeo FILE`. For Singular: lines that print 1. For Lean 4 with
+/// Mathlib: `linear_combination` and `field_simp; ring`; no Lean has checked that syntax. Both leave out
+/// what is too long for them.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
   isogeo claims certify --out proofs/coq/recorded
-  isogeo claims certify eq-17-18 --out .")]
+  isogeo claims certify koebe-edge --as singular --out .")]
 pub struct CertificateOptions {
     /// The claims by name [default: all that are decided]
     pub ids: Vec<String>,
+    /// The system for which the files are
+    #[arg(long = "as", value_enum, value_name = "SYSTEM", default_value_t = System::Coq)]
+    pub system: System,
     /// The folder for the files
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
+}
+
+/// A program that checks algebra.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum System {
+    /// Programs with hypotheses and goals for the checker in `proofs/coq/program`
+    Coq,
+    /// Examples for Lean 4 with Mathlib; syntax not checked by Lean
+    Lean,
+    /// Input for Singular
+    Singular,
 }

@@ -22,6 +22,24 @@ fn claims_are_listed_and_shown() {
 }
 
 #[test]
+fn certificates_are_written_for_three_systems() {
+    let shell = Shell::new();
+    for (system, file) in
+        [("coq", "cmc_offset.v"), ("singular", "cmc_offset.sing"), ("lean", "cmc_offset.lean")]
+    {
+        let run = shell.line(&format!("claims certify cmc-offset --as {system} --out ."));
+        assert_eq!(run.code, 0, "{}", run.err);
+        assert!(run.out.ends_with("1 programs, 15 operations, checked by Coq\n"), "{}", run.out);
+        assert_snapshot!(format!("certificate_{system}"), shell.cat(file));
+    }
+    let run = shell.line("claims certify delaunay-lift cmc-offset --out . --format json");
+    let report = run.json();
+    assert_eq!(report["schema"], "isogeo.certificates/1");
+    assert_eq!(report["certificates"].as_array().map(Vec::len), Some(1));
+    assert_eq!(report["certificates"][0]["checked_by_coq"], true);
+}
+
+#[test]
 fn a_seed_repeats_a_run() {
     let shell = Shell::new();
     let counts = |seed: &str| {
