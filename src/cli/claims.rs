@@ -10,7 +10,7 @@ use super::arguments::{
     CertificateOptions, ClaimsCommand, ClaimsOptions, Layout, System, VerifyOptions,
 };
 use super::failure::Failure;
-use super::{Status, output};
+use super::{Status, output, words};
 use crate::claim::{
     self, Claim, Options, Report, Script, Seed, Verdict, certificate, example, ledger, verify,
 };
@@ -186,6 +186,9 @@ fn check(options: &VerifyOptions, layout: Layout) -> Result<Status, Failure> {
 fn certify(options: &CertificateOptions, layout: Layout) -> Result<Status, Failure> {
     let claims = claims_of(&options.ids)?;
     let certificates: Vec<_> = claims.par_iter().map(|claim| certificate(claim)).collect();
+    let folder = &options.out;
+    std::fs::create_dir_all(folder)
+        .map_err(|e| Failure::io(format!("{}: {e}", folder.display())))?;
     let mut values = Vec::new();
     let mut text = String::new();
     for (claim, certificate) in claims.iter().zip(&certificates) {
@@ -199,7 +202,7 @@ fn certify(options: &CertificateOptions, layout: Layout) -> Result<Status, Failu
             System::Lean => ("lean", certificate.lean()),
             System::Singular => ("sing", certificate.singular()),
         };
-        let path = options.out.join(certificate.file_name()).with_extension(ending);
+        let path = folder.join(certificate.file_name()).with_extension(ending);
         write_whole(&path, content.as_bytes())?;
         let file = path.display().to_string();
         let programs = certificate.scripts().count();
@@ -208,8 +211,10 @@ fn certify(options: &CertificateOptions, layout: Layout) -> Result<Status, Failu
         let not = if checked { "" } else { "not " };
         let _ = writeln!(
             text,
-            "{:<22} {file}: {programs} programs, {operations} operations, {not}checked by Coq",
-            claim.id
+            "{:<22} {file}: {}, {}, {not}checked by Coq",
+            claim.id,
+            words::count(programs, "program"),
+            words::count(operations, "operation"),
         );
         let left_out = certificate.parts.iter().filter_map(|part| part.script.as_ref().err());
         values.push(json!({
