@@ -30,6 +30,10 @@ impl std::fmt::Display for NoFactor {
 
 impl std::error::Error for NoFactor {}
 
+/// Threads could only share single dense blocks; up to hundreds of thousands of rows handing them over
+/// costs more than it saves. The results do not depend on the number of threads, either.
+pub(super) const ONE_THREAD: Par = Par::Seq;
+
 /// The factor `L` of a positive definite matrix `L Lᵀ`.
 pub struct Cholesky {
     pub(super) symbolic: SymbolicCholesky<u32>,
@@ -55,10 +59,9 @@ impl Cholesky {
         let params = CholeskySymbolicParams::default();
         let symbolic = factorize_symbolic_cholesky(pattern, Side::Lower, ordering, params)
             .map_err(|_| NoFactor::OutOfMemory)?;
-        let par = Par::rayon(0);
         let scratch = symbolic
-            .factorize_numeric_llt_scratch::<f64>(par, Default::default())
-            .or(symbolic.solve_in_place_scratch::<f64>(1, par));
+            .factorize_numeric_llt_scratch::<f64>(ONE_THREAD, Default::default())
+            .or(symbolic.solve_in_place_scratch::<f64>(1, ONE_THREAD));
         let buffer = MemBuffer::try_new(scratch).map_err(|_| NoFactor::OutOfMemory)?;
         let values = vec![0.0; symbolic.len_val()];
         Ok(Cholesky { symbolic, values, buffer, size })
@@ -82,7 +85,7 @@ impl Cholesky {
             matrix,
             Side::Lower,
             LltRegularization::default(),
-            Par::rayon(0),
+            ONE_THREAD,
             MemStack::new(&mut self.buffer),
             Default::default(),
         );
@@ -100,7 +103,7 @@ impl Cholesky {
         LltRef::<'_, u32, f64>::new(&self.symbolic, &self.values).solve_in_place_with_conj(
             Conj::No,
             MatMut::from_column_major_slice_mut(x, size, 1),
-            Par::rayon(0),
+            ONE_THREAD,
             MemStack::new(&mut self.buffer),
         );
     }

@@ -8,10 +8,10 @@ use std::ops::Range;
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::sparse::linalg::cholesky::SymbolicCholeskyRaw;
 use faer::sparse::linalg::cholesky::supernodal::SupernodalLltRef;
-use faer::{Accum, Mat, MatMut, MatRef, Par};
+use faer::{Accum, Mat, MatMut, MatRef};
 
 use super::rounding::{gamma, largest, up};
-use crate::optimise::cholesky::Cholesky;
+use crate::optimise::cholesky::{Cholesky, ONE_THREAD};
 use crate::optimise::normal::NormalMatrix;
 
 /// Columns of a lower triangle with the same rows, which begin with the columns themselves. What stands
@@ -126,7 +126,7 @@ impl<'a> Factor<'a> {
             lower.transpose(),
             BlockStructure::Rectangular,
             1.0,
-            Par::rayon(0),
+            ONE_THREAD,
         );
         let mut places = Vec::with_capacity(n);
         let mut start = 0;
