@@ -160,17 +160,21 @@ fn a_spoilt_factor_is_noticed() {
     let found = misfit(&matrix, &factor, 15, 10.0).expect("a factor");
     assert!(found < 4096.0 * f64::EPSILON, "{found}");
     let spoil = 1.0 / 1024.0;
+    let mut counted = 0;
     for place in 0..factor.values.len() {
         let value = factor.values[place];
-        factor.values[place] += spoil;
-        let spoilt = misfit(&matrix, &factor, 15, 10.0).expect("a factor");
-        // What stands above the diagonal of a block is zero, and means nothing.
-        assert!(spoilt > spoil / 2.0 * value.abs().min(0.1) || value == 0.0, "{place}: {spoilt}");
         factor.values[place] = f64::NAN;
-        let unknown = misfit(&matrix, &factor, 15, 10.0).expect("a factor");
-        assert!(unknown.is_nan() || value == 0.0, "{place}: {unknown}");
+        // What stands above the diagonal of a block means nothing.
+        if misfit(&matrix, &factor, 15, 10.0).expect("a factor").is_nan() {
+            counted += 1;
+            factor.values[place] = value + spoil;
+            let spoilt = misfit(&matrix, &factor, 15, 10.0).expect("a factor");
+            assert!(spoilt > spoil / 2.0 * value.abs().min(0.1), "{place}: {spoilt}");
+        }
         factor.values[place] = value;
     }
+    // Where the matrix has an entry, so has the factor.
+    assert!(counted >= matrix.values.len(), "{counted} of {}", matrix.values.len());
     matrix.values[17] += spoil;
     assert!(misfit(&matrix, &factor, 15, 10.0).expect("a factor") > spoil);
 }
